@@ -53,6 +53,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/suture/ ${PROJECT_SOURCE_DIR}/sc
   PATTERN standard EXCLUDE)  # runtime/suture/standard/ and suture_generate() install those
 install(FILES ${PROJECT_SOURCE_DIR}/schemas/deployment.schema.json ${PROJECT_SOURCE_DIR}/schemas/policy.schema.json
   DESTINATION share/suture)
+# The documents lie as in the source tree, since they link each other and the examples.
+install(FILES README.md SECURITY.md CHANGELOG.md LICENSE DESTINATION share/doc/suture)
+install(DIRECTORY docs examples DESTINATION share/doc/suture PATTERN site EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/runtime/gdb/suture_printers.py DESTINATION share/suture/gdb)
 if(TARGET suturec)
   # This is where suturec looks first: clang's own headers stay with it.

@@ -15,7 +15,7 @@ class MemoryBlock {
   /// Says what a process that receives the descriptor may do.
   enum class Others : std::uint8_t { Write, Read };
 
-  /// `name` shows in /proc/<pid>/maps. Throws SetupError if the kernel refuses.
+  /// `name` shows in `/proc/PID/maps`. Throws SetupError if the kernel refuses.
   MemoryBlock(const char* name, std::size_t size, Others others = Others::Write);
   ~MemoryBlock();
   MemoryBlock(const MemoryBlock&) = delete;

@@ -109,6 +109,12 @@ def installed_tree(arguments):
     strangers = [file for file in ours if any(folder in file.read_text(encoding="utf-8") for folder in build_folders)]
     expect(ours and not strangers, "no file of the package names a folder of the build", str(strangers))
 
+    documents = prefix / "share/doc/suture"
+    links = [(page, link) for folder in ("docs", "examples") for page in (documents / folder).rglob("*.md")
+             for link in re.findall(r"\]\(([^):# ]+[.](?:md|json|png|svg))", page.read_text(encoding="utf-8"))]
+    broken = [f"{page} leads to {link}" for page, link in links if not (page.parent / link).exists()]
+    expect(links and not broken, "installed documents lead to installed documents", str(broken))
+
     missing = missing_headers(prefix / "include")
     expect(not missing, "each header that an installed one includes is installed", str(missing))
 

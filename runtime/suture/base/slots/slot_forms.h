@@ -114,6 +114,7 @@ requires(!(std::is_trivially_copyable_v<S> && ...)) struct SlotVariant<S...> {
   SlotTuple<S...> all;
 };
 
+/// Holds for what C++ computes with.
 template <class T>
 concept Number = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 
