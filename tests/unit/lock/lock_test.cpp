@@ -1,66 +1,14 @@
 // These see the lock from the outside: what a build accepts, what it refuses, what an update
 // writes.
 
-#include "compiler/lock/schema/lock.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "compiler/lock/contract_hash.h"
 #include "compiler/lock/schema/parse.h"
 #include "compiler/lock/schema/writer.h"
 #include "compiler/lock/wire_contract.h"
-#include "tests/unit/emit/sample_model.h"
+#include "tests/unit/lock/lock_fixture.h"
 
 namespace suture::compiler::lock {
 namespace {
-
-using model::Diagnostic;
-using model::Diagnostics;
-using model::Scalar;
-
-Locks lockOf(const model::Model& model, const Locks& old = {}) {
-  Diagnostics diagnostics;
-  std::vector<model::Artefact> texts = update(model, old).files;
-  for (const auto& file : old.files) {
-    const bool replaced = std::any_of(texts.begin(), texts.end(),
-                                      [&](const auto& text) { return text.path == file.first; });
-    if (!replaced) texts.push_back({file.first, file.second.text});
-  }
-  Locks locks = read(texts, diagnostics);
-  EXPECT_TRUE(diagnostics.empty()) << diagnostics.front().message;
-  return locks;
-}
-
-const Lock& armLock(const Locks& locks) { return locks.files.at("robots/arm.capnp"); }
-
-const Node& nodeOf(const Lock& lock, const std::string& name) {
-  return *std::find_if(lock.nodes.begin(), lock.nodes.end(),
-                       [&](const Node& node) { return node.name == name; });
-}
-
-std::vector<std::string> slugs(const Diagnostics& diagnostics) {
-  std::vector<std::string> result;
-  for (const Diagnostic& one : diagnostics) result.push_back(one.slug);
-  return result;
-}
-
-using Slugs = std::vector<std::string>;
-
-class LockTest : public testing::Test {
- protected:
-  model::Struct& everything() { return sample::armHeader(model_).structs[0]; }
-  model::Interface& arm() { return sample::armHeader(model_).interfaces[0]; }
-  model::Field& field(const std::string& name) {
-    auto& fields = everything().fields;
-    return *std::find_if(fields.begin(), fields.end(),
-                         [&](const model::Field& one) { return one.name == name; });
-  }
-
-  model::Model model_ = sample::robots();
-  const Locks before_ = lockOf(model_);
-};
 
 TEST_F(LockTest, HeaderWithoutLockNamesTheCommand) {
   const Diagnostics found = check(model_, {}, {.command = "make update-lock"});
@@ -327,66 +275,6 @@ TEST_F(LockTest, NamesOfOtherHeadersInTheSameNamespaceCount) {
       sample::enumerated("robots::other::Everything", {{"One", 1}}));
   const Slugs found = slugs(check(model_, before_));
   EXPECT_EQ(std::count(found.begin(), found.end(), "wire-name-clash"), 1);
-}
-
-TEST_F(LockTest, DefaultsAreFrozen) {
-  EXPECT_EQ(nodeOf(armLock(before_), "Everything").members[3].defaultValue, "0.25");
-  EXPECT_EQ(nodeOf(armLock(before_), "Everything").members[5].defaultValue, "servo");
-  field("speed").defaultJson = "0.75";
-  const Diagnostics found = check(model_, before_);
-  ASSERT_EQ(slugs(found), Slugs{"lock-stale"});
-  EXPECT_EQ(found[0].message,
-            "field 'robots::Everything::speed': default 0.75 instead of 0.25; where a message does "
-            "not have it, it still is 0.25");
-  const Locks after = lockOf(model_, before_);
-  EXPECT_EQ(nodeOf(armLock(after), "Everything").members[3].defaultValue, "0.25");
-  EXPECT_TRUE(check(model_, after).empty()) << "it is said once";
-}
-
-class EnumDefaults : public LockTest {
- protected:
-  EnumDefaults() {
-    auto& header = sample::armHeader(model_);
-    header.enums.push_back(sample::enumerated("robots::Pace", {{"Slow", 0}, {"Fast", 1}}));
-    add("robots::Walk", "Slow");
-    add("robots::Run", "Fast");
-    locked_ = lockOf(model_, before_);
-  }
-
-  void add(const std::string& name, const std::string& pace) {
-    model::Field field = sample::field("pace", sample::enumeration("robots::Pace"));
-    field.defaultJson = "\"" + pace + "\"";
-    sample::armHeader(model_).structs.push_back(sample::structure(name, {field}));
-  }
-
-  const std::string& defaultOf(const Locks& locks, const std::string& node) {
-    return nodeOf(armLock(locks), node).members[0].defaultValue;
-  }
-
-  Locks locked_;
-};
-
-TEST_F(EnumDefaults, TheOneOfOrdinalZeroIsNone) {
-  EXPECT_EQ(defaultOf(locked_, "Walk"), "");
-  EXPECT_EQ(defaultOf(locked_, "Run"), "fast");
-}
-
-TEST_F(EnumDefaults, OrderInTheHeaderDoesNotCount) {
-  auto& enumerators = sample::armHeader(model_).enums.back().enumerators;
-  std::reverse(enumerators.begin(), enumerators.end());
-  EXPECT_TRUE(check(model_, locked_).empty());
-  add("robots::Sprint", "Fast");
-  EXPECT_EQ(defaultOf(lockOf(model_, locked_), "Sprint"), "fast");
-}
-
-TEST_F(EnumDefaults, ARenamedEnumeratorHasItsNewName) {
-  auto& enumerators = sample::armHeader(model_).enums.back().enumerators;
-  enumerators[1].name = "Quick";
-  enumerators[1].wireName = "quick";
-  enumerators[1].was = "Fast";
-  sample::armHeader(model_).structs.back().fields[0].defaultJson = "\"Quick\"";
-  EXPECT_EQ(slugs(check(model_, locked_)), Slugs{"lock-renamed"});
-  EXPECT_EQ(defaultOf(lockOf(model_, locked_), "Run"), "quick");
 }
 
 TEST_F(LockTest, ACopiedLockIsFound) {
