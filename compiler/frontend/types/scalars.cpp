@@ -36,6 +36,14 @@ MappedType mapBuiltin(const clang::BuiltinType* type) {
     case BuiltinType::Char_U:
       return TypeProblem{"char", "whether char is signed differs between machines",
                          "use std::int8_t, or std::string for text"};
+    case BuiltinType::Char8:
+    case BuiltinType::Char16:
+    case BuiltinType::Char32:
+      return TypeProblem{"unsupported-type", "a single character has no form on the wire",
+                         "use std::string for text, or an integer for a code"};
+    case BuiltinType::NullPtr:
+      return TypeProblem{"unsupported-type", "it has one value, so that it says nothing",
+                         "leave it out, or add SUTURE_FIELD(skip())"};
     default:
       return TypeProblem{"unsupported-type", "its size differs between machines",
                          "use bool, a fixed-width integer, float or double"};

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/annotate.h>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -15,5 +16,7 @@ struct SUTURE_TYPE() Unsupported {
   std::u16string wide;
   std::vector<long double> precise;
   wchar_t letter = 0;
+  char8_t sign = 0;
+  std::nullptr_t nothing = nullptr;
 };
 }  // namespace demo
