@@ -10,6 +10,8 @@
 
 #include <set>
 
+#include "compiler/frontend/ast/annotation.h"
+#include "compiler/frontend/ast/empty_body.h"
 #include "compiler/frontend/ast/generated_headers.h"
 #include "compiler/frontend/ast/include_guard.h"
 #include "compiler/frontend/ast/names.h"
@@ -25,16 +27,25 @@ class AllDependencies : public clang::DependencyCollector {
 };
 
 /// Reads no function's body but those of default constructors, which say what members are by
-/// default. SUTURE_EXTERNAL_TYPE may name any class later, except those of two large libraries, and
-/// polymorphic ones: these are no data, and a component's body calls what is not generated yet.
+/// default. SUTURE_EXTERNAL_TYPE may name any class later, of which only an empty body is read, and
+/// none of a component: it may use what is still to be generated.
 class Consumer : public clang::ASTConsumer {
   bool shouldSkipFunctionBody(clang::Decl* declaration) override {
     const auto* constructor =
         llvm::dyn_cast_or_null<clang::CXXConstructorDecl>(declaration->getAsFunction());
-    return constructor == nullptr || !constructor->isDefaultConstructor() ||
-           constructor->getParent()->isPolymorphic() || isOfLibrary(constructor);
+    if (constructor == nullptr || !constructor->isDefaultConstructor()) return true;
+    if (isAnnotated(constructor->getParent(), Kind::Type)) return false;
+    return isOfLibrary(constructor) || derivesFromRuntime(constructor->getParent()) ||
+           !hasEmptyBody(constructor);
   }
 
+  static bool derivesFromRuntime(const clang::CXXRecordDecl* record) {
+    return !record->forallBases([](const clang::CXXRecordDecl* base) {
+      return !llvm::StringRef(qualifiedName(base)).starts_with("suture::");
+    });
+  }
+
+  /// These two are large, and hold nothing that anybody names.
   static bool isOfLibrary(const clang::CXXConstructorDecl* constructor) {
     const std::string name = qualifiedName(constructor->getParent());
     return name.starts_with("std::") || name.starts_with("Eigen::");

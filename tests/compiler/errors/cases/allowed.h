@@ -1,5 +1,7 @@
 #pragma once
 #include <suture/annotate.h>
+#include <suture/component/component.h>
+#include <suture/component/required.h>
 
 #include <cstdint>
 #include <mutex>
@@ -28,5 +30,20 @@ class SUTURE_INTERFACE() Contract {
   SUTURE_COMMAND() virtual Words range() const = 0;
   SUTURE_EVENT(name("on")) suture::EventOf<> on_event;
   SUTURE_EVENT() suture::EventOf<std::int64_t> counted;
+};
+// Constructors use what is still to be generated.
+class Client : public suture::Device {
+ public:
+  Client() : started_(needed.queue()) {}
+  suture::Required<Contract> needed{*this, "Needed"};
+
+ private:
+  bool started_;
+};
+struct Both {
+  Both() {
+    if (first.needed.queue()) second.needed.emit();
+  }
+  Client first, second;
 };
 }  // namespace demo
