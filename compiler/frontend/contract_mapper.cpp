@@ -2,6 +2,7 @@
 
 #include <clang/AST/DeclTemplate.h>
 
+#include "compiler/frontend/ast/copies.h"
 #include "compiler/frontend/ast/names.h"
 #include "compiler/frontend/types/type_mapper.h"
 
@@ -113,6 +114,20 @@ void checkValueArguments(const clang::NamedDecl* declaration, const Annotation& 
                 "say the rest in the other annotation");
 }
 
+/// Reports a result that cannot get to its reader: a read hands it over by moving, and an answer by
+/// copying where the class has no code for moving.
+void checkResult(const clang::CXXMethodDecl* method, clang::QualType type, bool isRead,
+                 Mapping& mapping) {
+  clang::Sema& semantics = mapping.names().semantics();
+  if (isRead ? canBeMoved(type, semantics) : movesByCode(type, semantics)) return;
+  if (canBeCopied(type, semantics) && canBeMoved(type, semantics)) return;
+  mapping.error(method, "uncopyable",
+                "the result of " + commandSubject(method) + " cannot be handed to its caller: '" +
+                    spelled(type.getUnqualifiedType(), mapping.context()) +
+                    (isRead ? "' can be neither copied nor moved" : "' cannot be copied"),
+                "let it be copied, or return a struct of what it holds");
+}
+
 void mapResult(const clang::CXXMethodDecl* method, const Annotation& field, model::Command& command,
                Mapping& mapping) {
   clang::QualType type = method->getReturnType();
@@ -123,6 +138,8 @@ void mapResult(const clang::CXXMethodDecl* method, const Annotation& field, mode
   command.resultUnit = field.unit;
   command.resultRange = field.range;
   command.result = mapping.typeOf(method, type, "the result of " + commandSubject(method), field);
+  if (!command.result) return;
+  checkResult(method, type, command.kind == model::CommandKind::Read, mapping);
 }
 
 /// Const decides: const = the read family, else void or write.

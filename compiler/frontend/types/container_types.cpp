@@ -1,5 +1,6 @@
 #include "compiler/frontend/types/container_types.h"
 
+#include "compiler/frontend/ast/copies.h"
 #include "compiler/frontend/ast/names.h"
 
 namespace suture::compiler::frontend {
@@ -152,7 +153,14 @@ MappedType mapString(const Specialisation* type, const NamedTypes&) {
 
 MappedType mapSequence(const Specialisation* type, const NamedTypes& names) {
   if (!isDefault(type, 1, "std::allocator")) return notDefault("allocator", templateName(type));
-  return withElements(type, ofShape(Shape::List), {typeArgument(type, 0)}, names);
+  MappedType mapped = withElements(type, ofShape(Shape::List), {typeArgument(type, 0)}, names);
+  if (std::holds_alternative<TypeProblem>(mapped)) return mapped;
+  if (templateName(type) == "std::vector" &&
+      !canBeMoved(typeArgument(type, 0), names.semantics())) {
+    return TypeProblem{"uncopyable", "its elements can be neither copied nor moved",
+                       "let them be copied, or use std::deque"};
+  }
+  return mapped;
 }
 
 MappedType mapArray(const Specialisation* type, const NamedTypes& names) {
