@@ -13,7 +13,7 @@ MEMBERS = ["text", "list", "data", "reader", "builder", "group", "which", "stamp
            "capnp", "in", "out", "result", "arguments", "count", "size", "begin", "end", "index", "path", "some", "none",
            "item0", "item1", "key", "entry", "element", "error", "root", "message", "import_", "struct_", "interface",
            "annotation", "const_", "using_", "void_", "fooBar", "text_value", "valueText", "store", "load", "reserve",
-           "to_wire", "from_wire", "isValid", "other", "i", "n", "it", "maxAge", "base", "foo_bar", "Text", "as", "of", "from", "with", "now"]
+           "to_wire", "from_wire", "isValid", "other", "i", "n", "it", "maxAge", "base", "foo_bar", "Count", "as", "of", "from", "with", "now"]
 # These stand beside `First`.
 ENUMERATORS = ["first", "FIRST", "eof", "nan", "overflow", "null", "text", "which", "union_", "enumerant", "value", "domain",
                "unknown", "none", "some"]

@@ -18,6 +18,11 @@ CHRONO = ["std::chrono::nanoseconds", "std::chrono::milliseconds", "std::chrono:
           "std::chrono::system_clock::time_point"]
 
 
+# What only structs that cannot be edited may have.
+FOREIGN = ["char", "long long", "unsigned long long", "std::array<char, 5>", "std::optional<long long>"]
+# Where a struct stands, {0} being its name: at home, in another namespace, in a class, or in a header that cannot be edited.
+PLACES = ["{0}", "{0}", "elsewhere::{0}", "Nest{0}::{0}", "vendor::{0}"]
+
 OPEN = 1 << 16  # of a level: its values have so many elements, but no capacity() says so
 
 
@@ -28,9 +33,15 @@ class Field:
         self.name, self.type, self.bounds, self.owns_heap = name, type_, bounds, owns_heap
 
     def declaration(self):
+        annotation = f"SUTURE_FIELD({self.capacity()}) " if self.capacity() else ""
+        return f"  {annotation}{self.plain_declaration()}"
+
+    def plain_declaration(self):
+        return f"{self.type} {self.name}{{}};"
+
+    def capacity(self):
         stated = [0 if bound & OPEN else bound for bound in self.bounds]
-        annotation = f"SUTURE_FIELD(capacity({', '.join(map(str, stated))})) " if any(stated) else ""
-        return f"  {annotation}{self.type} {self.name}{{}};"
+        return f"capacity({', '.join(map(str, stated))})" if any(stated) else ""
 
 
 class Types:
@@ -49,9 +60,24 @@ class Types:
         if data_only:
             names = self.random.sample(list(random_names.TYPES), count)
         for i, name in enumerate(names):
+            if data_only:
+                names[i] = name = self.random.choice(PLACES).format(name)
             if data_only and i > 0 and self.random.randrange(3) == 0:
                 self.bases[name] = self.random.choice(names[:i])
             self.structs[name] = [self.field(member) for member in self.member_names(self.random.randint(2, 7))]
+            if name.startswith("vendor::"):
+                self.structs[name] += [Field("letters", "std::vector<char>", (3,), True),
+                                       Field("kept", self.random.choice(FOREIGN))]
+
+    @staticmethod
+    def slot(struct):
+        return struct.replace("::", "") + "Slot"
+
+    @staticmethod
+    def wire(struct):
+        """Its name there. That of what stands in a class begins with the class, so that Cap'n Proto does not need it."""
+        place, _, name = struct.rpartition("::")
+        return place + name if place.startswith("Nest") else random_names.TYPES[name]
 
     def member_names(self, count):
         if self.data_only:
@@ -147,10 +173,27 @@ class Types:
                  "#include <unordered_set>", "#include <utility>", "#include <variant>", "#include <vector>", "", "namespace invented {", ""]
         for name, enumerators in self.enums.items():
             lines += [f"enum class SUTURE_TYPE() {name} : std::uint16_t {{ {enumerators} }};", ""]
-        for name, fields in self.structs.items():
-            base = f" : {self.bases[name]}" if name in self.bases else ""
-            lines += [f"struct SUTURE_TYPE() {name}{base} {{", *(field.declaration() for field in fields), "};", ""]
+        for name in self.structs:
+            lines += self.struct(name)
         return "\n".join(lines + self.interface() + ["}  // namespace invented", ""])
+
+    def struct(self, path):
+        """The lines of one struct, where it stands; those around it are in the namespace of all."""
+        place, _, name = path.rpartition("::")
+        fields, base = self.structs[path], f" : {self.bases[path]}" if path in self.bases else ""
+        if place == "vendor":
+            lines = [f"struct {name}{base} {{", *("  " + field.plain_declaration() for field in fields), "};"]
+        else:
+            lines = [f"struct SUTURE_TYPE() {name}{base} {{", *(field.declaration() for field in fields), "};"]
+        if place.startswith("Nest"):
+            lines = [f"struct {place} {{", *lines, "};"]
+        elif place:
+            lines = ["}  // namespace invented", f"namespace {place} {{", "using namespace invented;", *lines, "}",
+                     "namespace invented {"]
+        if place == "vendor":
+            stated = [f"member({field.name}, {field.capacity()})" for field in fields if field.capacity()]
+            lines.append(f"SUTURE_EXTERNAL_TYPE({path}, {', '.join(['all()', *stated])});")
+        return [*lines, ""]
 
     def interface(self):
         if self.data_only:

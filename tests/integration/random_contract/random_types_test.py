@@ -10,22 +10,21 @@ import shutil
 import sys
 
 import random_contract
-import random_names
 import random_types
 
 COUNT = 12  # structs
 
 
-def declarations(name):
-    wire = random_names.TYPES[name]
-    return (f"void toWire(const {name}Slot&, wire::{wire}::Builder);\n"
-            f"suture::Errc fromWire(wire::{wire}::Reader, {name}Slot&, suture::Duration);\n"
-            f"bool isValid(const {name}Slot&, suture::FieldPath* = nullptr);\n")
+def declarations(types, name):
+    wire, slot = types.wire(name), types.slot(name)
+    return (f"void toWire(const {slot}&, wire::{wire}::Builder);\n"
+            f"suture::Errc fromWire(wire::{wire}::Reader, {slot}&, suture::Duration);\n"
+            f"bool isValid(const {slot}&, suture::FieldPath* = nullptr);\n")
 
 
 def check(types, name):
     """Returns the lines that check one struct, and each of its members that has a bound with one element too many."""
-    lines = ["  {", f'    RoundTrip<{name}, {name}Slot, wire::{random_names.TYPES[name]}> trip("{name}");',
+    lines = ["  {", f'    RoundTrip<{name}, {types.slot(name)}, wire::{types.wire(name)}> trip("{name}");',
              f"    checkAll(trip, random, {name}());"]
     for field in types.structs[name]:
         if field.bounds:
@@ -37,9 +36,10 @@ def check(types, name):
 
 
 def program(types, seed):
-    lines = ['#include "invented.suture.h"', '#include "round_trip.h"', '#include "invented_values.h"',
+    # The functions of types in other namespaces are found where they are declared, which is before they are called.
+    lines = ['#include "invented.suture.h"', '#include "invented_values.h"', '#include "round_trip.h"',
              '#include "invented.capnp.h"', "", "namespace invented {", "",
-             *map(declarations, types.structs), "}  // namespace invented", "", "int main() {",
+             *(declarations(types, name) for name in types.structs), "}  // namespace invented", "", "int main() {",
              "  using namespace invented;", f"  Random random({seed});", "  int beyond = 0;"]
     for name in types.structs:
         lines += check(types, name)
