@@ -30,7 +30,7 @@ auto run(rpc::ControlThread& control, Duration deadline, Work work) {
 
 constexpr Duration kLocalWork = std::chrono::seconds(10);
 // A start that takes longer than this says what it waits for.
-constexpr Duration kLongWait = std::chrono::seconds(1);
+constexpr Duration kLongWait = std::chrono::seconds(2);
 
 std::string atMost(Duration patience) {
   const auto seconds = std::chrono::ceil<std::chrono::seconds>(patience).count();
@@ -113,9 +113,8 @@ class Network::Impl {
       connection = std::make_unique<RemoteConnection>(
           control_, *sessions_, lanes_, required, from, to, options, listener, delays, watch,
           ledgerOf(from.toString() + " -> " + to.toString()));
-      const std::string waits = "'" + name + "' waits for '" + to.toString() + "' " +
-                                atMost(options.patience) + ". Start process '" + to.process +
-                                "' if it does not run";
+      const std::string waits = "waits for '" + to.toString() + "' " + atMost(options.patience) +
+                                ". Start process '" + to.process + "' if it does not run";
       // Forget what could not be connected, because it may be gone before this is.
       return tellIfLong(connection->open(), waits)
           .exclusiveJoin(untilGivenUp())

@@ -28,8 +28,8 @@ class Starting(Stations):
         self.manager(address)
         deployment = self.two(address)
         hand = self.workstation(deployment, "--process", "here")
-        self.assertEqual(hand.stderr.readline(), "here: 'Hand/Turntable' waits for 'there:Platter/Turntable' for at most "
-                                                 "10 s. Start process 'there' if it does not run\n")
+        self.assertEqual(hand.stderr.readline(), "here: waits for 'there:Platter/Turntable' for at most 10 s. "
+                                                 "Start process 'there' if it does not run\n")
         platter = self.workstation(deployment, "--process", "there")
         self.assertEqual(hand.stderr.readline(), "here: runs 'Hand'\n")
         self.assertEqual(platter.stderr.readline(), "there: runs 'Platter'\n")
