@@ -1,5 +1,5 @@
 """docs/errors has what a user can meet: for each enumerator of suture::Errc one page, and one row in the README's table,
-both with the text of toString().
+both with the text of toString(). What its page on set-up says of messages is in the sources.
 
   error_pages_test.py ROOT      checks that tree, and that violations planted in a small one are found
 """
@@ -12,6 +12,7 @@ import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
 MAX_LINES = 40
+SET_UP = "set-up.md"
 
 
 def enumerators(root):
@@ -35,6 +36,15 @@ def rows(readme):
     return re.findall(r"^\| \[(\w+)\]\(([^)]*)\) \| (.*?) \|", readme, re.M)
 
 
+def unknown_messages(root, page):
+    """Yields each row of the page whose first cell, `...` standing for anything, is in no source of the runtime."""
+    sources = (path.read_text(encoding="utf-8") for path in (root / "runtime").rglob("*") if path.suffix in (".cpp", ".h"))
+    text = re.sub(r'"\s*"', "", "".join(sources))
+    for row in re.findall(r"^\| `([^`]*)` \|", page, re.M):
+        if not all(part.strip() in text for part in row.split("...")):
+            yield f"docs/errors/{SET_UP}: no source says '{row}'"
+
+
 def violations(root):
     folder = root / "docs/errors"
     names, text_of = enumerators(root), texts(root)
@@ -54,13 +64,14 @@ def violations(root):
         found = [row for row in rows(readme) if row[0] == name]
         if found != [(name, page, text_of.get(name))]:
             yield f"docs/errors/README.md: one row has to begin with | [{name}]({page}) | {text_of.get(name)} |, found {found}"
-    for page in sorted(pages.keys() - {page_of(name) for name in names} - {"README.md"}):
+    for page in sorted(pages.keys() - {page_of(name) for name in names} - {"README.md", SET_UP}):
         yield f"docs/errors/{page} explains what no enumerator is"
     for name, _, _ in rows(readme):
         if name not in names:
             yield f"docs/errors/README.md has a row for {name}, which no enumerator is"
+    yield from unknown_messages(root, pages.get(SET_UP, ""))
     for page, text in sorted(pages.items()):
-        if text.count("\n") > MAX_LINES:
+        if page != SET_UP and text.count("\n") > MAX_LINES:
             yield f"docs/errors/{page}: more than {MAX_LINES} lines"
 
 
@@ -116,6 +127,11 @@ class Planted(unittest.TestCase):
     def test_a_page_that_is_left_over(self):
         self.write("docs/errors/too-new.md", "# too new: `Errc::TooNew`\n")
         self.expect("too-new.md explains what no enumerator is")
+
+    def test_a_message_that_no_source_has(self):
+        self.write("runtime/suture/net/address.cpp", 'refuse(text, "it has "\n    "no path");\n')
+        self.write("docs/errors/set-up.md", "| `it has no path` | so | do |\n| `it has ... port` | so | do |\n")
+        self.expect("no source says 'it has ... port'")
 
     def test_a_row_that_is_left_over(self):
         self.edit("docs/errors/README.md", "| [TooOld]", "| [TooNew](too-new.md) | too new | no |\n| [TooOld]")
