@@ -134,18 +134,18 @@ Json json(const End& required, const End& provided, const Verdict& verdict) {
   return json;
 }
 
-int explainError(const Options& options) {
-  const std::string_view page = errorPage(options.target);
-  if (page.empty()) {
+int explain(const Options& options) {
+  const std::string explained = explainError(options.target);
+  if (explained.empty()) {
     std::vector<std::string> names;
     for (const auto& [name, text] : errorPages()) names.emplace_back(name);
-    throw UsageError("explain '" + options.target + "'", "no error of a call is called so",
+    throw UsageError("explain '" + options.target + "'", "no error has that name or text",
                      "There are " + listNames(names) + "; or name two interfaces");
   }
   if (options.json) {
-    printJson({{"page", page}});
+    printJson({{"explained", explained}});
   } else {
-    print(std::string(page));
+    print(explained);
   }
   return 0;
 }
@@ -153,7 +153,7 @@ int explainError(const Options& options) {
 }  // namespace
 
 int why(rpc::EventPort& loop, const Options& options) {
-  if (options.other.empty()) return explainError(options);
+  if (options.other.empty()) return explain(options);
   End required = endOf(loop, options, options.target);
   End provided = endOf(loop, options, options.other);
   requireTwoSides(required, provided);

@@ -10,8 +10,9 @@ namespace suture::cli {
 /// Returns the text of each page, by its name: "not-yet". The build writes this function.
 const std::map<std::string_view, std::string_view>& errorPages();
 
-/// Returns the page of an error, or "". `words` are its name ("NotYet"), that of its page
-/// ("not-yet"), its text ("not produced yet"), or a message that has this text.
-std::string_view errorPage(const std::string& words);
+/// Returns the page of an error of a call, or what the list of set-up errors says of a message; ""
+/// if there is neither. `words` are the error's name ("NotYet"), that of its page ("not-yet"), its
+/// text ("not produced yet"), or a message that has this text.
+std::string explainError(const std::string& words);
 
 }  // namespace suture::cli
