@@ -1,6 +1,7 @@
 #include "compiler/frontend/ast/empty_body.h"
 
 #include <clang/AST/ASTContext.h>
+#include <clang/Basic/SourceManager.h>
 #include <clang/Lex/Lexer.h>
 
 namespace suture::compiler::frontend {
