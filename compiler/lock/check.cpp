@@ -29,7 +29,7 @@ void append(Diagnostics& all, Diagnostics more) {
   for (model::Diagnostic& one : more) all.push_back(std::move(one));
 }
 
-/// A header of ours, what it asks for, and what was agreed so far.
+/// Holds a header of ours, what it asks for, and what was agreed so far.
 struct Judged {
   const model::Header& header;
   const std::vector<WantedNode> wanted;
@@ -56,7 +56,7 @@ Verdicts verdictsOf(const Judged& judged, const Lock& merged, const Options& opt
                   options);
 }
 
-/// The wire names of all headers, by the C++ namespace in which capnp will declare them.
+/// Holds the wire names of all headers, by the C++ namespace in which capnp will declare them.
 class WireNames {
  public:
   WireNames(const model::Model& model, const model::Lookup& lookup) {
@@ -67,7 +67,7 @@ class WireNames {
     }
   }
 
-  /// Reports the nodes of `header` whose name is another's as well.
+  /// Reports the nodes of `header` that have the name of another node.
   Diagnostics clashes(const model::Header& header, const std::vector<WantedNode>& nodes) const {
     Diagnostics result;
     for (const WantedNode& node : nodes) {
@@ -83,7 +83,8 @@ class WireNames {
     return result;
   }
 
-  /// A removed node keeps its name in the schema, which no header of the namespace may give again.
+  /// Reports nodes that have the name of a removed one: it keeps its name in the schema, so no
+  /// header of the namespace may give it again.
   Diagnostics clashesWithRemoved(const model::Header& header, const Lock& merged) const {
     Diagnostics result;
     for (const Node& node : merged.nodes) {
@@ -108,8 +109,8 @@ class WireNames {
   std::map<std::string, WantedNode> owners_;
 };
 
-/// What suturec adds to every contract (subscribe, state, stamp, evaluated, sent) has its name
-/// already.
+/// Reports members that have the name of what suturec adds to every contract (subscribe, state,
+/// stamp, evaluated, sent).
 Diagnostics clashesWithOwn(const std::vector<WantedNode>& wanted) {
   Diagnostics result;
   const auto report = [&result](const WantedMember& member, const std::string& name) {
@@ -171,7 +172,7 @@ bool isNamed(const Node& node, const std::string& name) {
   return node.name == name || identity(node) == "cxx " + quoted(name);
 }
 
-/// The locks with a fresh id for each node that options.newIds names.
+/// Returns the locks with a fresh id for each node that options.newIds names.
 Locks withNewIds(Locks locks, const Options& options, std::vector<std::string>& unknown) {
   for (const std::string& name : options.newIds) {
     bool found = false;
@@ -196,7 +197,8 @@ Locks withNewIds(Locks locks, const Options& options, std::vector<std::string>& 
   return locks;
 }
 
-/// A type that moved to another header is another one there: the removed one keeps its id.
+/// Gives nodes that are new in a lock an id that no lock has. A type that moved to another header
+/// is a new one there, because the removed one keeps its id.
 void giveFreeIds(std::map<std::string, Lock>& merged, const Locks& old) {
   std::set<std::uint64_t> taken;
   for (const auto& [path, lock] : old.files) {

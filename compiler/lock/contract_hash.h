@@ -1,5 +1,5 @@
 #pragma once
-// What two ends of a connection must agree on, as one number.
+// This sums up as one number what two ends of a connection must agree on.
 
 #include <map>
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace suture::compiler::lock {
 
-/// For each interface of the own headers, by qualified C++ name: 32 hexadecimal digits (the first
-/// 128 bits of SHA-256) over its methods, events, state and all types they reach: names, ids,
-/// ordinals, wire types, and the annotations that change meaning. Documentation, capacities, ranges
-/// and policies do not count. `schemas`: of upToDate().
+/// Returns a hash for each interface of the own headers, by qualified C++ name: 32 hexadecimal
+/// digits (the first 128 bits of SHA-256) over its methods, events, state and all types they reach:
+/// names, ids, ordinals, wire types, and the annotations that change meaning. Documentation,
+/// capacities, ranges and policies do not count. `schemas` come from upToDate().
 std::map<std::string, std::string> contractHashes(const model::Model& model,
                                                   const std::map<std::string, Lock>& schemas);
 
-/// The same without optional commands: where these are equal, two ends may differ in optional
-/// commands alone.
+/// Returns such hashes without optional commands: where these are equal, two ends may differ in
+/// optional commands alone.
 std::map<std::string, std::string> coreHashes(const model::Model& model,
                                               const std::map<std::string, Lock>& schemas);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The nodes that a contract has in its lock.
+// This finds the nodes that a contract has in its lock.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace suture::compiler::lock {
 
-/// The node that says `annotation` of the contract: "cxx" its commands, "eventsOf" its events,
-/// "stateOf" its columns. Null if there is none.
+/// Returns the node whose `annotation` names the contract: the node of "cxx" has its commands, that
+/// of "eventsOf" its events, that of "stateOf" its columns. Returns null if there is none.
 const Node* nodeOf(const Lock& lock, const char* annotation, const std::string& contract);
 
 }  // namespace suture::compiler::lock

@@ -32,8 +32,8 @@ bool isMeaningful(const std::string& name) {
   return std::find(std::begin(kMeaningful), std::end(kMeaningful), name) != std::end(kMeaningful);
 }
 
-/// Finds the same node in another lock: of the same id, which outlives renames, else of the same
-/// name, else of the same C++ name.
+/// Finds the same node in another lock: first by its id, which outlives renames, then by its name,
+/// then by its C++ name.
 class Nodes {
  public:
   explicit Nodes(const Lock& lock) {
@@ -48,7 +48,7 @@ class Nodes {
     const auto named = names_.find(node.name);
     const bool isNamed = named != names_.end();
     if (isNamed && named->second->id == node.id)
-      return named->second;  // also where two have one id
+      return named->second;  // the name decides if two nodes have one id
     if (const auto known = ids_.find(node.id); known != ids_.end()) return known->second;
     if (isNamed) return named->second;
     const auto same = identities_.find(identity(node));
@@ -168,7 +168,8 @@ class Comparison {
     }
   }
 
-  /// `chosen`: it is one of several of which a message has one.
+  /// Adds that a member was removed. `chosen` says that a message has only one of its node's
+  /// members.
   void addRemoval(LockPlace before, LockPlace now, bool chosen) {
     const std::string subject = titleOf(*before.node, *before.member);
     if (before.member->isMethod) {
@@ -182,7 +183,8 @@ class Comparison {
     }
   }
 
-  /// A rename without was() looks like something removed and something new of one form.
+  /// Says what to do if it was a rename: without was() that looks like something removed and
+  /// something new of one form.
   std::string hintOfRename(const Node& old, const Node& now, const Member& added) const {
     for (std::size_t i = 0; i < std::min(old.members.size(), now.members.size()); ++i) {
       const Member& before = old.members[i];
@@ -222,7 +224,7 @@ class Comparison {
     return names;
   }
 
-  /// ": queue 8 instead of 4"; "" if it is the same.
+  /// Returns ": queue 8 instead of 4", or "" if it is the same.
   static std::string changeOf(const std::string& name, const Annotations& old,
                               const Annotations& now) {
     const std::string before = valueOf(old, name), after = valueOf(now, name);
@@ -231,8 +233,8 @@ class Comparison {
     return ": " + title + " " + shown(after, "given") + " instead of " + shown(before, "given");
   }
 
-  /// `old` and `now` are the member itself, or a parameter or result of it, which `part` names.
-  /// Returns false if bytes of the two mean different things.
+  /// Compares what bytes mean. `old` and `now` are the member itself, or a parameter or result of
+  /// it, which `part` names. Returns false if bytes of the two mean different things.
   bool compareMeaning(LockPlace before, LockPlace after, const Member& old, const Member& now,
                       const std::string& subject, const std::string& part) {
     bool same = true;
@@ -262,7 +264,8 @@ class Comparison {
     return same;
   }
 
-  /// The annotation is there where C++ has another default than the schema, which keeps its first.
+  /// Tells how the default changed in C++. The annotation is there if C++ has another default than
+  /// the schema, which keeps its first.
   static std::string defaultChange(const Member& old, const Member& now) {
     const auto inCpp = [](const Member& one) {
       const auto own = one.annotations.find("default");
@@ -292,7 +295,7 @@ class Comparison {
       add(Change::Parameter, Effect::Break, before, after, title(one), detail).part =
           "'" + one.name + "'";
     };
-    std::size_t gone = 0;  // what follows has moved up by so much, which is told once
+    std::size_t gone = 0;  // all that follow have moved up by it, which is told once
     for (std::size_t i = 0; i < old.size(); ++i) {
       const std::size_t place = placeIn(now, old[i]);
       if (place == now.size()) {

@@ -1,5 +1,5 @@
 #pragma once
-// The major of a contract: how often it was broken on purpose, plus one.
+// The major of a contract counts how often it was broken on purpose, plus one.
 
 #include <set>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace suture::compiler::lock {
 
-/// 1 where the lock says nothing.
+/// Returns the node's major, which is 1 if the lock says nothing.
 unsigned majorOf(const Node& node);
 
-/// The major of the contract with that qualified C++ name.
+/// Returns the major of the contract with that qualified C++ name, which is 1 if no lock has it.
 unsigned majorOf(const Locks& locks, const std::string& contract);
 
 /// Raises the major of each contract in the locks of `own` that reaches one of `broken`

@@ -24,7 +24,7 @@ class Merger {
     result.cxxNamespace = header.cxxNamespace;
     if (result.id == 0) result.id = freshId(project_, header.path);
     matchByName();
-    while (matchByContent()) continue;  // what holds one of those may follow
+    while (matchByContent()) continue;  // a node that holds one of those may match next
     for (std::size_t i = 0; i < wanted_.size(); ++i) addEnumerators(i);
     for (std::size_t i = 0; i < old_.nodes.size(); ++i) {
       const Node& node = old_.nodes[i];
@@ -45,8 +45,8 @@ class Merger {
     renames_.add(old_.nodes[old].name, wanted_[now].node.name);
   }
 
-  /// A node of the header is one of the lock by its C++ name, else by was(). A was() beside a name
-  /// that the lock knows already is an old, done rename.
+  /// Matches nodes of the header with those of the lock by C++ name, else by was(). A was() beside
+  /// a name that the lock knows already tells of a rename that was done long ago.
   void matchByName() {
     std::set<std::string> living;
     for (const Node& node : old_.nodes) {
@@ -69,8 +69,9 @@ class Merger {
     }
   }
 
-  /// A composite is named after what it is made of: a variant that got an alternative has another
-  /// name and is the same thing, and so is what holds it. True if there was one.
+  /// Matches one composite by what it is made of, since it is named after that: a variant that got
+  /// an alternative has another name and is the same thing, and so is a composite that holds it.
+  /// Returns true if it found one.
   bool matchByContent() {
     for (std::size_t i = 0; i < old_.nodes.size(); ++i) {
       if (matches_.contains(i) || !isComposite(old_.nodes[i]) || old_.nodes[i].removed()) continue;
@@ -93,7 +94,7 @@ class Merger {
     });
   }
 
-  /// True if the node stands for no declaration.
+  /// Returns true if the node stands for no declaration.
   static bool isComposite(const Node& node) {
     return node.kind == Node::Kind::Struct && identity(node) == node.name;
   }
@@ -123,7 +124,7 @@ class Merger {
     }
   }
 
-  /// The default of a field whose enum this lock has is none where it is the zero of the wire.
+  /// Drops the default of a field if it is the zero of the wire, as far as this lock has its enum.
   Member withDefault(Member member) const {
     const auto zero = zeros_.find(member.type);
     if (zero != zeros_.end() && member.defaultValue == zero->second) member.defaultValue.clear();
@@ -135,7 +136,7 @@ class Merger {
     node.members.push_back(std::move(member));
   }
 
-  /// What the header no longer declares stays, so that its id and ordinals are never given again.
+  /// Keeps what the header no longer declares, so that its id and ordinals are never given again.
   static Node buried(Node node) {
     if (!node.removed()) node.annotations["removed"] = quoted(node.name);
     return node;
@@ -162,7 +163,8 @@ class Merger {
     return node;
   }
 
-  /// The member of the header that `locked` is: by its wire name, else by was().
+  /// Returns the index of the header's member that `locked` is, by its wire name, else by was();
+  /// the number of all members if there is none.
   static std::size_t find(const WantedNode& wanted, const Node& node, const Member& locked) {
     const std::vector<WantedMember>& all = wanted.members;
     if (locked.removed()) return all.size();
@@ -177,8 +179,8 @@ class Merger {
     return all.size();
   }
 
-  /// Has the lock a live member of this name already? Then a was() beside it is an old, done
-  /// rename.
+  /// Tells if the lock has a live member of this name already; then a was() beside it tells of a
+  /// rename that was done long ago.
   static bool lives(const Node& node, const std::string& name) {
     return std::any_of(node.members.begin(), node.members.end(), [&](const Member& member) {
       return !member.removed() && member.name == name;
@@ -203,7 +205,7 @@ class Merger {
     return member;
   }
 
-  /// Do bytes of both mean the same?
+  /// Tells if bytes of both mean the same.
   bool means(const Member& locked, const Member& now) const {
     return now.type == renames_.apply(locked.type) &&
            std::all_of(std::begin(kMeaningful), std::end(kMeaningful), [&](const char* name) {
@@ -211,8 +213,8 @@ class Merger {
            });
   }
 
-  /// capnp stores values relative to the default, so that of the lock stays; one that C++ has since
-  /// then is written beside it.
+  /// Keeps the default that the lock has, because capnp stores values relative to it; if C++ has
+  /// another since then, that is written beside it.
   static void freezeDefault(Member& member, const std::string& locked) {
     if (member.defaultValue == locked) return;
     // Only the lock of its own header knows which enumerator of a foreign enum is the zero.
@@ -224,7 +226,7 @@ class Merger {
     member.defaultValue = locked;
   }
 
-  /// Parameters keep the lock's order, since their place is their ordinal; new ones follow.
+  /// Keeps the parameters in the lock's order, since their place is their ordinal; new ones follow.
   static std::vector<Member> merged(const std::vector<Member>& now,
                                     const std::vector<Member>& before) {
     std::vector<Member> result;
@@ -245,11 +247,11 @@ class Merger {
   const std::vector<WantedNode>& wanted_;
   const Lock& old_;
   const std::string& project_;
-  std::map<std::size_t, std::size_t> matches_;  // nodes of the lock to those of the header
-  std::map<std::size_t, std::size_t> matched_;  // the other way round
+  std::map<std::size_t, std::size_t> matches_;  // from nodes of the lock to those of the header
+  std::map<std::size_t, std::size_t> matched_;  // from nodes of the header to those of the lock
   Renames renames_;
   EnumeratorNames enumerators_;
-  // By the names of enums: the enumerator whose ordinal is 0, as it is called now.
+  // Maps the name of each enum to its enumerator of ordinal 0, as it is called now.
   std::map<std::string, std::string> zeros_;
 };
 

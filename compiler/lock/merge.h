@@ -10,8 +10,8 @@
 
 namespace suture::compiler::lock {
 
-/// The lock as it should be. `old` is the committed one, or one without nodes when there is none;
-/// `project` goes into the ids of what is new.
+/// Returns the lock as it should be. `old` is the committed one, or one without nodes if there is
+/// none; `project` goes into the ids of what is new.
 Lock merge(const std::vector<WantedNode>& wanted, const model::Header& header, const Lock& old,
            const std::string& project);
 

@@ -24,7 +24,7 @@ bool isFrom(const std::string& wireName, const std::string& name) {
   return name == wireName || name.starts_with(wireName + kMore);
 }
 
-/// The members of one struct, or the enumerators of one enum, and what the lock says of them.
+/// Holds the members of one struct, or the enumerators of one enum, and what the lock says of them.
 template <class Declared>
 class Scope {
  public:
@@ -53,7 +53,7 @@ class Scope {
     return std::any_of(locked_.begin(), locked_.end(), isIt);
   }
 
-  /// Member `i` keeps the name that it has, even if that clashes.
+  /// Leaves member `i` the name that it has, even if that clashes.
   void leave(std::size_t i) {
     taken_.insert(members_[i].wireName);
     open_[i] = false;
@@ -89,12 +89,12 @@ class Scope {
   }
 
   std::vector<Declared>& members_;
-  std::vector<Member> locked_;  // without those that were removed
+  std::vector<Member> locked_;  // those that were removed are left out
   std::set<std::string> taken_;
-  std::vector<bool> open_;  // of each of members_: it has no name of its own yet
+  std::vector<bool> open_;  // true for each of members_ that has no name of its own yet
 };
 
-/// The node of a type, which may have had another name; null when the lock has none.
+/// Returns the node of a type, which may have had another name; null if the lock has none.
 template <class Type>
 const Node* nodeOf(const Type& type, const Lock* lock) {
   if (lock == nullptr) return nullptr;
@@ -109,9 +109,9 @@ const Node* nodeOf(const Type& type, const Lock* lock) {
   return node == nullptr && was ? find(*was) : node;
 }
 
-/// The bases of a struct. One is called otherwise in C++ as soon as a member has its name, so its
-/// type tells as well which of the lock's it is. Where that member has the same type, only name()
-/// can tell: the clash stays, and is reported.
+/// Finds the bases of a struct in the lock. The C++ name of a base changes as soon as a member has
+/// the same name, so its type tells as well which of the lock's it is. If that member has the same
+/// type too, only name() can tell them apart: the clash stays, and is reported.
 class Bases {
  public:
   Bases(model::Struct& type, const model::Lookup& lookup, const model::Header& header)
@@ -141,7 +141,7 @@ class Bases {
     return wireType(field.type, lookup_, header_);
   }
 
-  /// Tells if a member has the name on the wire by name().
+  /// Tells if a member has this name on the wire because name() says so.
   bool isSaid(const std::string& wireName) const {
     return std::any_of(type_.fields.begin(), type_.fields.end(), [&](const model::Field& one) {
       return one.isNamed && one.wireName == wireName;

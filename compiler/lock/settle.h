@@ -1,5 +1,5 @@
 #pragma once
-// Gives members whose names clash on the wire names of their own there.
+// This gives members whose names clash on the wire names of their own there.
 
 #include "compiler/lock/schema/lock.h"
 

@@ -17,7 +17,7 @@ struct Verdicts {
   std::set<std::string> broken;  ///< names of the nodes that have a break
 };
 
-/// `found` are the differences between `old` and what the header makes of it.
+/// Judges `found`, the differences between `old` and what the header makes of it.
 Verdicts verdicts(const std::vector<Difference>& found, const std::vector<WantedNode>& wanted,
                   const model::Header& header, const Lock& old, const Options& options);
 

@@ -15,7 +15,7 @@ namespace {
 
 using Shape = model::Type::Shape;
 
-/// The annotations that name what a node stands for.
+/// These annotations name what a node stands for.
 constexpr std::array<const char*, 3> kIdentities{"cxx", "eventsOf", "stateOf"};
 
 Member plain(std::string name, std::string type, std::string doc = "") {
@@ -116,7 +116,7 @@ void addMember(WantedNode& node, Member member) {
   node.members.push_back({std::move(member), node.title, std::nullopt, node.source});
 }
 
-/// The coefficients of a matrix of any size.
+/// Returns the member for the coefficients of a matrix of any size.
 Member matrixData(const model::Type& type) {
   const std::string scalar(capnpScalar(type.scalar));
   Member data = plain("data", type.bulk ? "Data" : "List(" + scalar + ")", "Column after column.");
@@ -124,7 +124,8 @@ Member matrixData(const model::Type& type) {
   return data;
 }
 
-/// The struct of a composite. Its bounds are the field's business: two of one wire form share it.
+/// Returns the struct of a composite. The field states the bounds, not the struct, because two
+/// types of one wire form share it.
 WantedNode wantedComposite(const model::Type& type, const model::Source& source,
                            const model::Lookup& lookup, const model::Header& header) {
   const std::string name = compositeName(type, lookup, header);
@@ -148,7 +149,7 @@ WantedNode wantedComposite(const model::Type& type, const model::Source& source,
   return result;
 }
 
-/// Each composite of the header once.
+/// Returns each composite of the header once.
 std::vector<WantedNode> wantedComposites(const model::Header& header, const model::Lookup& lookup) {
   std::vector<WantedNode> nodes;
   std::set<std::string> seen;
@@ -230,7 +231,7 @@ WantedNode wantedInterface(const model::Interface& declaration, const model::Loo
                           plain("eventMask", "UInt64"), plain("stateMask", "UInt64")};
   result.members.push_back({std::move(subscribe), result.title, std::nullopt, result.source});
   for (const model::Command& command : declaration.commands) {
-    if (!command.inheritedFrom.empty()) continue;  // a method of the base's interface
+    if (!command.inheritedFrom.empty()) continue;  // the base's interface has the method
     result.members.push_back(wantedCommand(declaration, command, lookup, header));
   }
   return result;

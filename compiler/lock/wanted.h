@@ -1,5 +1,6 @@
 #pragma once
-// What a header asks of the wire, before any lock has a say: nodes and members without ordinals.
+// This is what a header asks of the wire before any lock has a say: nodes and members without
+// ordinals.
 
 #include <optional>
 #include <string>
@@ -26,28 +27,30 @@ struct WantedNode {
   model::Source source;
 };
 
-/// The type of what travels with every command, behind the parameters that it was first locked
+/// Is the type of what travels with every command, behind the parameters that it was first locked
 /// with.
 inline constexpr char kSent[] = "/suture/rpc.capnp:Sent";
 
-/// In the order enums, composites, structs, interfaces; an interface is followed by its events and
-/// its state row.
+/// Returns the nodes in the order enums, composites, structs, interfaces; each interface is
+/// followed by its events and its state row.
 std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup);
 
-/// The name in the was() of what is called `name`, qualified as that is where it is not itself.
+/// Returns the name in the was() of what is called `name`. If it is not qualified, it gets the
+/// namespace of `name`.
 std::optional<std::string> formerName(const std::string& name,
                                       const std::optional<std::string>& was);
 
-/// What value `index` of an event's payload is called on the wire: "value", "value2", "value3".
+/// Says what value `index` of an event's payload is called on the wire: "value", "value2",
+/// "value3".
 std::string payloadName(std::size_t index);
 
-/// The id that a new thing receives.
+/// Returns the id that a new thing receives.
 std::uint64_t freshId(const std::string& project, const std::string& name);
 
-/// What makes two nodes the same thing in header and lock: "cxx \"robots::Pose\"".
+/// Returns what makes two nodes the same thing in header and lock: "cxx \"robots::Pose\"".
 std::string identity(const Node& node);
 
-/// The identity that a node had under the name of its was(); "" when it has none.
+/// Returns the identity that a node had under the name of its was(), or "" if it has none.
 std::string formerIdentity(const WantedNode& wanted);
 
 }  // namespace suture::compiler::lock

@@ -18,7 +18,7 @@ std::map<std::string, Lock> upToDate(const model::Model& model, const Locks& loc
 }
 
 std::string leafOf(const std::string& type) {
-  const std::size_t inner = type.rfind('(') + 1;  // 0 when there is no list
+  const std::size_t inner = type.rfind('(') + 1;  // it is 0 if there is no list
   return type.substr(inner, type.find(')') - inner);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// A contract as it is on the wire: what its lock says of it and of all that it leads to.
+// This collects a contract as it is on the wire: what its lock says of it and of all that it leads
+// to.
 
 #include <map>
 #include <set>
@@ -10,18 +11,18 @@
 
 namespace suture::compiler::lock {
 
-/// A node and the file that it stands in.
+/// Is a node and the file that it stands in.
 struct PlacedNode {
   const Lock* lock = nullptr;
   const Node* node = nullptr;
 };
 
-/// The locks as an update would leave them, by path: also where a header is ahead of its lock.
+/// Returns the locks as an update would leave them, by path, also if a header is ahead of its lock.
 std::map<std::string, Lock> upToDate(const model::Model& model, const Locks& locks);
 
 class WireContract {
  public:
-  /// `locks` must outlive this. `withoutOptional`: as if it had no optional commands.
+  /// `locks` must outlive this. `withoutOptional` leaves the optional commands out.
   WireContract(const std::map<std::string, Lock>& locks, bool withoutOptional)
       : locks_(locks), withoutOptional_(withoutOptional) {}
 
@@ -29,13 +30,13 @@ class WireContract {
   void add(const Lock& lock, const std::string& type);
   const std::vector<PlacedNode>& nodes() const { return nodes_; }
 
-  /// Does it travel?
+  /// Tells if the member travels: it was not removed, nor left out as optional.
   bool counts(const Member& member) const {
     return !member.removed() && !(withoutOptional_ && member.annotations.contains("optional"));
   }
 
-  /// What a type spelled in `lock` names: the innermost of lists. None: a type of capnp or of
-  /// Suture.
+  /// Returns the node of a type spelled in `lock`; of lists, that of the innermost element. The
+  /// result is empty if the type is one of capnp or of Suture.
   PlacedNode find(const Lock& lock, const std::string& type) const;
 
  private:
@@ -47,7 +48,7 @@ class WireContract {
   std::set<const Node*> known_;
 };
 
-/// "Pose" of "List(Pose)".
+/// Returns "Pose" for "List(Pose)".
 std::string leafOf(const std::string& type);
 
 }  // namespace suture::compiler::lock

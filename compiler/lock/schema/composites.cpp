@@ -13,7 +13,7 @@ namespace {
 using model::Type;
 using Shape = Type::Shape;
 
-/// All that a wire name needs to know of its surroundings.
+/// Holds all that a wire name needs to know of its surroundings.
 struct Place {
   const model::Lookup& lookup;
   const model::Header& inside;
@@ -29,7 +29,7 @@ std::string joined(const Type& type, const char* separator, const Place& place) 
   return text;
 }
 
-/// Puts the namespace in front where it is not the header's.
+/// Puts the namespace in front if it is not the header's.
 std::string declared(const Type& type, const Place& place) {
   const model::Struct* const record = place.lookup.findStruct(type.name);
   const model::Enum* const enumeration = place.lookup.findEnum(type.name);
@@ -83,8 +83,8 @@ std::string nameOf(const Type& type, const Place& place) {
   return "";
 }
 
-/// "robots/arm.h" -> "RobotsArm", "arm/arm.h" -> "Arm", "03_arm/arm.h" -> "Header03ArmArm": what no
-/// other header of the namespace has. A name begins with a letter.
+/// Tells the headers of a namespace apart: returns "RobotsArm" for "robots/arm.h", "Arm" for
+/// "arm/arm.h" and "Header03ArmArm" for "03_arm/arm.h", since a name begins with a letter.
 std::string prefixOf(const model::Header& header) {
   const std::string stem = model::stemOf(header.path);
   std::string result, last;
@@ -104,7 +104,8 @@ std::string decapitalised(std::string name) {
   return name;
 }
 
-/// Names them by type, so that their order does not matter; the second of a type gets its index.
+/// Names the alternatives by type, so that their order does not matter; the second of a type gets
+/// its index.
 std::vector<std::string> alternativeNames(const Type& type, const Place& place) {
   std::vector<std::string> names;
   std::map<std::string, unsigned> seen;

@@ -29,7 +29,7 @@ std::string nanoseconds(const std::string& seconds) {
 
 /// Turns the seconds of a duration into nanoseconds, or into its own count where that is real.
 std::string capnpDuration(const std::string& json, const model::Type& type) {
-  if (json.starts_with('"')) return word(json);  // infinite
+  if (json.starts_with('"')) return word(json);  // this is "inf" or "-inf"
   if (wireScalar(type) == model::Scalar::Int64) return nanoseconds(json);
   const double seconds = std::strtod(json.c_str(), nullptr);
   return capnpNumber(seconds * static_cast<double>(type.periodDenominator) /

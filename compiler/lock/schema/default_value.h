@@ -1,5 +1,5 @@
 #pragma once
-// A schema spells numbers, and what a member is by default, in capnp's own words.
+// These spell numbers, and what a member is by default, in capnp's own words.
 
 #include <string>
 
@@ -8,11 +8,11 @@
 
 namespace suture::compiler::lock {
 
-/// The shortest spelling that reads back as the same number.
+/// Returns the shortest spelling that reads back as the same number.
 std::string capnpNumber(double value);
 
-/// The member's initialiser. Only numbers, durations and enums have one on the wire, and capnp's
-/// own zero needs no saying: it is empty for all else.
+/// Returns the member's initialiser. It is empty for anything but numbers, durations and enums,
+/// which alone have one on the wire, and for capnp's own zero, which needs no saying.
 std::string capnpDefault(const model::Field& field, const model::Lookup& lookup);
 
 }  // namespace suture::compiler::lock

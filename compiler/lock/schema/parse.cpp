@@ -59,7 +59,7 @@ class Parser {
     throw SyntaxError(peek().line, "expected '" + text + "', found " + found);
   }
 
-  /// A name of one's own: letters and digits.
+  /// Takes a name that a lock declares: it has letters and digits only.
   std::string name() {
     const Token token = take();
     const bool good = std::all_of(token.text.begin(), token.text.end(), [](char c) {
@@ -106,7 +106,8 @@ class Parser {
            std::end(kMetaAnnotations);
   }
 
-  /// "$Meta.unit("m")" -> {"Meta.unit", "\"m\""}. Annotations of others are kept out of the lock.
+  /// Returns {"Meta.unit", "\"m\""} for "$Meta.unit("m")". Callers keep annotations of others out
+  /// of the lock.
   std::pair<std::string, std::string> annotation() {
     expect("$");
     const Token name = take();
@@ -122,7 +123,8 @@ class Parser {
     return {name.text, argument};
   }
 
-  /// A value, or the fields of a struct with the parentheses; spaced as the writer spaces it.
+  /// Returns a value, or the fields of a struct with the parentheses, spaced as the writer spaces
+  /// it.
   std::string argumentText() {
     expect("(");
     std::string text;
@@ -141,7 +143,7 @@ class Parser {
     return text;
   }
 
-  /// A number, a name, a string or a list of them.
+  /// Returns a number, a name, a string or a list of them.
   std::string value() {
     if (!accept("[")) {
       const Token literal = take();
@@ -177,7 +179,7 @@ class Parser {
     expect(";");
   }
 
-  /// "List(Arm.Pose)" with the alias resolved: "List(/arm/arm.capnp:Pose)".
+  /// Returns the type with the alias resolved: "List(/arm/arm.capnp:Pose)" for "List(Arm.Pose)".
   std::string type(unsigned depth = 0) {
     const Token name = take();
     if (depth > kDeepestType) throw SyntaxError(name.line, "a type is nested too deeply");
@@ -250,7 +252,8 @@ class Parser {
     return result;
   }
 
-  /// "union {", which is all that a struct of alternatives holds; else a member of that name.
+  /// Takes "union {", and returns true, if it stands here; then the union is all that the struct
+  /// holds. A member may be called "union" too, so the brace decides.
   bool opensUnion() {
     if (peek().text != "union" || tokens_[at_ + 1].text != "{") return false;
     at_ += 2;

@@ -1,5 +1,5 @@
 #pragma once
-// Reads the subset of capnp's language that a lock is written in.
+// This reads the subset of capnp's language that a lock is written in.
 
 #include <string>
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace suture::compiler::lock {
 
-/// Throws SyntaxError. Also refuses what capnp itself would: gaps and repeats among ordinals, equal
-/// names.
+/// Returns the lock, or throws SyntaxError. It refuses also what capnp itself would: gaps and
+/// repeats among ordinals, equal names.
 Lock parse(std::string path, std::string_view text);
 
 }  // namespace suture::compiler::lock

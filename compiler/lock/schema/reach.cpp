@@ -22,7 +22,7 @@ class Walk {
   void visit(const std::string& path, const Member& member) {
     for (const Member& parameter : member.parameters) visit(path, parameter);
     for (const Member& result : member.results) visit(path, result);
-    const std::size_t inner = member.type.rfind('(') + 1;  // 0 when there is no list
+    const std::size_t inner = member.type.rfind('(') + 1;  // it is 0 if there is no list
     const std::string leaf = member.type.substr(inner, member.type.find(')') - inner);
     const std::size_t colon = leaf.find(':');
     if (leaf.starts_with('/') && colon != std::string::npos) {

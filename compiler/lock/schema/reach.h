@@ -1,5 +1,5 @@
 #pragma once
-// What a node of a lock names, and what that names in turn.
+// This finds what a node of a lock names, and what that names in turn.
 
 #include <map>
 #include <set>

@@ -1,6 +1,6 @@
 #pragma once
-// Types and enumerators are known by name within a schema; two versions of it may call one
-// otherwise.
+// These translate names between two versions of a schema: types and enumerators are known by name
+// within it, and the versions may call one thing differently.
 
 #include <algorithm>
 #include <map>
@@ -12,9 +12,10 @@ class Renames {
  public:
   void add(const std::string& before, const std::string& now) { names_[before] = now; }
 
-  /// A type of the old version as the new one spells it: "List(Pose)" -> "List(Placement)".
+  /// Returns a type of the old version as the new one spells it: "List(Placement)" for
+  /// "List(Pose)".
   std::string apply(const std::string& type) const {
-    const std::size_t begin = type.rfind('(') + 1;  // 0 when there is no list
+    const std::size_t begin = type.rfind('(') + 1;  // it is 0 if there is no list
     const std::size_t end = std::min(type.find(')'), type.size());
     const auto found = names_.find(type.substr(begin, end - begin));
     if (found == names_.end()) return type;

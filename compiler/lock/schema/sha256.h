@@ -1,5 +1,5 @@
 #pragma once
-// SHA-256 as ids and contract hashes have it.
+// These compute SHA-256 for ids and contract hashes.
 
 #include <array>
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace suture::compiler::lock {
 
 std::array<std::uint8_t, 32> sha256(std::string_view text);
 
-/// Lower-case hexadecimal of the first `bytes` bytes.
+/// Returns the first `bytes` bytes in lower-case hexadecimal.
 std::string sha256Hex(std::string_view text, unsigned bytes = 32);
 
 }  // namespace suture::compiler::lock

@@ -48,7 +48,8 @@ class Tokenizer {
     return std::string(rest.substr(0, length));
   }
 
-  /// "1e-05" is one word: a sign belongs to the exponent before it.
+  /// Tells if the word goes on here. "1e-05" is one word, because a sign belongs to the exponent
+  /// before it.
   static bool continues(std::string_view rest, std::size_t i) {
     const bool number = std::isdigit(static_cast<unsigned char>(rest[0])) != 0 || rest[0] == '-';
     const bool hexadecimal = rest.starts_with("0x");

@@ -1,5 +1,5 @@
 #pragma once
-// The words of a capnp file.
+// These are the words of a capnp file.
 
 #include <cstddef>
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace suture::compiler::lock {
 
-/// A place in a lock that cannot be read. Never leaves lock::read().
+/// Says where a lock cannot be read, and why. It never leaves lock::read().
 class SyntaxError : public std::runtime_error {
  public:
   enum class Kind { Damaged, Conflict, Newer };
@@ -21,12 +21,14 @@ class SyntaxError : public std::runtime_error {
 };
 
 struct Token {
-  /// An identifier, a number, a string with its quotes, "->", or one character; "" = end of file.
+  /// Is an identifier, a number, a string with its quotes, "->", or one character; "" is the end of
+  /// the file.
   std::string text;
   unsigned line = 0;
 };
 
-/// Comments are dropped. The last token is the end of file. Throws SyntaxError.
+/// Splits the text into words without its comments; the last one is the end of the file. Throws
+/// SyntaxError.
 std::vector<Token> tokenize(std::string_view text);
 
 }  // namespace suture::compiler::lock

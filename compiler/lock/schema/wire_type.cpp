@@ -20,7 +20,7 @@ std::string wireNameOf(const std::string& name, const model::Lookup& lookup) {
   return "";
 }
 
-/// What a flat list of an Eigen type's coefficients has to say of itself.
+/// Returns what a flat list of an Eigen type's coefficients has to say of itself.
 std::string flatShape(const Type& type, bool inFlatList) {
   if (type.shape == Shape::Affine) return "affine";
   if (!namedEigenType(type).empty() && !inFlatList) return "";
@@ -30,7 +30,8 @@ std::string flatShape(const Type& type, bool inFlatList) {
   return std::to_string(type.rows) + "x" + std::to_string(type.columns);
 }
 
-/// "*,3,6x7": one entry a level; empty when every level is open or says its own length.
+/// Returns one entry for each level, such as "*,3,6x7", or "" if every level is open or says its
+/// own length.
 std::string shapeOf(const Type& type) {
   std::string shape;
   bool fixed = false;
@@ -49,7 +50,7 @@ std::string shapeOf(const Type& type) {
   return fixed || !flat.empty() ? shape + flat : "";
 }
 
-/// The bounds of the type and all it is made of, outside in.
+/// Collects the bounds of the type and of all it is made of, outside in.
 void collectCapacities(const Type& type, std::vector<std::optional<unsigned>>& bounds) {
   const bool matrix = type.shape == Shape::AnyMatrix;
   const bool sized =
@@ -59,7 +60,8 @@ void collectCapacities(const Type& type, std::vector<std::optional<unsigned>>& b
   for (const Type& element : type.element) collectCapacities(element, bounds);
 }
 
-/// "[8, 0]": one number a bounded kind of level; empty when none is bounded.
+/// Returns one number for each level that may have a bound, such as "[8, 0]", or "" if none is
+/// bounded.
 std::string capacities(const Type& type) {
   std::vector<std::optional<unsigned>> bounds;
   collectCapacities(type, bounds);

@@ -16,10 +16,11 @@ namespace {
 
 constexpr std::size_t kColumns = 100;
 
-/// Path of another schema file to the name it is imported under.
+/// Maps the path of another schema file to the name under which it is imported.
 using Aliases = std::map<std::string, std::string>;
 
-/// A name for capnp of what a file or folder is called: "my-arm" -> "MyArm", "3d" -> "File3d".
+/// Makes a name for capnp of what a file or folder is called: "MyArm" of "my-arm", "File3d" of
+/// "3d".
 std::string titleOf(std::string name) {
   std::replace_if(
       name.begin(), name.end(),
@@ -29,7 +30,7 @@ std::string titleOf(std::string name) {
   return named ? title : "File" + title;
 }
 
-/// "/robot_types/robot_types.capnp" -> "RobotTypes"; with `full`, the folder's name in front.
+/// Makes "RobotTypes" of "/robot_types/robot_types.capnp"; `full` puts the folder's name in front.
 std::string aliasOf(const std::string& path, bool full) {
   const std::string stem = model::stemOf(path).substr(1);
   const std::size_t slash = stem.rfind('/');
@@ -69,7 +70,7 @@ Aliases aliasesOf(const Lock& lock) {
   return aliases;
 }
 
-/// "List(/arm/arm.capnp:Pose)" -> "List(Arm.Pose)".
+/// Turns "List(/arm/arm.capnp:Pose)" into "List(Arm.Pose)".
 std::string spell(const std::string& type, const Aliases& aliases) {
   const std::size_t begin = type.find('/');
   if (begin == std::string::npos) return type;
@@ -111,7 +112,7 @@ std::string head(const Member& member, const Aliases& aliases) {
   return text;
 }
 
-/// Fills lines of at most kColumns, breaking only between pieces.
+/// Fills lines of at most kColumns, and breaks them only between pieces.
 std::string fill(std::string line, const std::vector<std::string>& pieces, const char* end,
                  const std::string& indent) {
   std::string text;
