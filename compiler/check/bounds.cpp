@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kLargestSlot = 16u << 20;
 
-/// One type that a contract carries, and where.
+/// Is one type that a contract carries, and the place where it does.
 struct Carried {
   std::string subject;
   const model::Type& type;
@@ -38,7 +38,7 @@ void forEachCarried(const model::Interface& contract,
   }
 }
 
-/// The first place in it that has no bound.
+/// Returns the first place in the type that has no bound.
 std::optional<Place> firstOpen(const model::Type& type, const model::Lookup& lookup) {
   std::optional<Place> found;
   walk(type, lookup, [&](const Place& place) {
@@ -56,7 +56,7 @@ void checkSize(const Carried& carried, const model::Lookup& lookup, model::Diagn
       "lower its capacity(); every place in a queue has room for the largest value");
 }
 
-/// What a task connects by one of its interfaces.
+/// Judges what a task connects by one of its interfaces.
 class TaskPort {
  public:
   TaskPort(const model::Component& task, const model::Port& port, const model::Lookup& lookup,

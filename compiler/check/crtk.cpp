@@ -27,7 +27,7 @@ const std::map<std::string_view, Payload>& spaces() {
   return kSpaces;
 }
 
-/// Which spaces each level has.
+/// Returns the spaces that a level has, or "" if it is none of CRTK's.
 std::string_view spacesOf(std::string_view level) {
   const bool numbered = level.size() == 9 && std::isdigit(static_cast<unsigned char>(level[8]));
   if (level == "measured" || (numbered && level.starts_with("measured"))) return "js cp cv cf cs";
@@ -41,7 +41,7 @@ bool isQuery(std::string_view level) {
   return level.starts_with("measured") || level == "setpoint" || level == "goal";
 }
 
-/// The state machine, and what dVRK and cisst add to the motion commands.
+/// These are the state machine's words, and what dVRK and cisst add to the motion commands.
 const std::map<std::string_view, Meaning>& words() {
   static const std::map<std::string_view, Meaning> kWords{
       {"operating_state", {Role::Query, Payload::State}},

@@ -1,6 +1,6 @@
 #pragma once
-// The Collaborative Robotics Toolkit's conventions (collaborative-robotics.github.io): how a name
-// is read, and what travels under it.
+// These are the conventions of the Collaborative Robotics Toolkit
+// (collaborative-robotics.github.io): how a name is read, and what travels under it.
 
 #include <optional>
 #include <string>
@@ -13,11 +13,11 @@ namespace suture::compiler::check::crtk {
 
 enum class Role {
   Query,   ///< measured_cp: a read without parameters
-  Motion,  ///< servo_cp: changes something, the goal is its first parameter
+  Motion,  ///< servo_cp: it changes something, and the goal is its first parameter
   Other,   ///< hold, state_command...: as the table of words says
 };
 
-/// What a value must consist of.
+/// Says what a value must consist of.
 enum class Payload {
   Any,
   JointState,
@@ -36,14 +36,14 @@ struct Meaning {
   Payload payload;
 };
 
-/// What CRTK means by a command's or event's name; none if it is not a CRTK name. "local_",
-/// "body_", "spatial_", "jaw_", "gripper_" and "actuators_" stand for its name spaces.
+/// Says what CRTK means by a command's or event's name; returns none if it is not a CRTK name.
+/// "local_", "body_", "spatial_", "jaw_", "gripper_" and "actuators_" stand for its name spaces.
 std::optional<Meaning> meaningOf(std::string_view name);
 
-/// Whether a value of the type can be that payload, by the shapes of its fields.
+/// Tells if a value of the type can be that payload, by the shapes of its fields.
 bool carries(const model::Type& type, Payload payload, const model::Lookup& lookup);
 
-/// In words: "a pose (an Eigen::Isometry3d, or a type that has one)".
+/// Names the payload in words: "a pose (an Eigen::Isometry3d, or a type that has one)".
 const char* describe(Payload payload);
 
 }  // namespace suture::compiler::check::crtk

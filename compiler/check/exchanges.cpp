@@ -6,7 +6,7 @@
 namespace suture::compiler::check {
 namespace {
 
-/// Something that may have been called otherwise.
+/// Is something that may have been called otherwise.
 struct Named {
   std::string subject;
   std::string name;
@@ -21,7 +21,7 @@ const Named* find(const std::vector<Named>& all, const std::string& name) {
   return nullptr;
 }
 
-/// True if one was() after the other leads from `first` back to it.
+/// Tells if one was() after the other leads from `first` back to it.
 bool isExchanged(const Named& first, const std::vector<Named>& all) {
   const Named* one = &first;
   for (std::size_t steps = 0; one != nullptr && one->was && steps < all.size(); ++steps) {

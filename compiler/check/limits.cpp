@@ -11,11 +11,12 @@ namespace suture::compiler::check {
 namespace {
 
 constexpr std::uint64_t kLargestValue = 512u << 20;
-// Capnp's readers stop at 64; a command's arguments and a row of the state table are two of them.
+// Capnp's readers stop at 64 levels; a command's arguments and a row of the state table are two of
+// them.
 constexpr unsigned kDeepestValue = 62;
 
-/// How many messages within messages a value needs. Where a type leads back to itself, it is the
-/// value that decides.
+/// Counts how many messages within messages a value needs. It does not follow a type that leads
+/// back to itself, because then the value decides.
 class Depth {
  public:
   explicit Depth(const model::Lookup& lookup) : lookup_(lookup) {}
@@ -43,13 +44,13 @@ class Depth {
   std::set<std::string> open_;
 };
 
-/// Whether a value may hold another of its own type; then its bounds do not bound it.
+/// Tells if a value may hold another of its own type; then its bounds do not bound it.
 bool leadsBack(const model::Type& type, const model::Lookup& lookup) {
   return !walk(type, lookup, [](const Place& place) { return !place.recursive; });
 }
 
-/// Tells if the slot of a type would hold one of the struct within itself. What has no bound, and
-/// an optional struct that leads back, are blocks of their own.
+/// Tells if the slot of a type would hold one of the struct within itself. It would not by what has
+/// no bound, nor by an optional struct that leads back, because those are blocks of their own.
 class Within {
  public:
   Within(const model::Struct& target, const model::Lookup& lookup)

@@ -19,7 +19,7 @@ bool isAlphanumeric(const std::string& name) {
 
 constexpr std::string_view kNameAdvice = "choose another with name(\"...\"); the C++ name stays";
 
-/// The names of one scope: what two things cannot share.
+/// Holds the names of one scope, which two things cannot share.
 class Scope {
  public:
   Scope(bool types, model::Diagnostics& findings) : types_(types), findings_(findings) {}

@@ -33,7 +33,8 @@ class NumberRule {
     }
   }
 
-  /// Reports a default out of range: senders that leave it, and older ones, would be refused.
+  /// Reports a default out of range, because messages of senders that leave it, and of older ones,
+  /// would be refused.
   void applyDefault(const model::Field& field) {
     if (!hasKnownNumber(field) || !field.range || field.range->first > field.range->second) return;
     const double value = defaultOf(field);
@@ -45,8 +46,8 @@ class NumberRule {
   }
 
  private:
-  /// True for a number whose default was seen, and for numbers that are all 0 since nobody says
-  /// anything else.
+  /// Returns true for a number whose default was seen, and for several numbers that are all 0
+  /// because no constructor or initialiser says anything else.
   static bool hasKnownNumber(const model::Field& field) {
     using Shape = model::Type::Shape;
     const model::Type& type = field.type;

@@ -1,5 +1,5 @@
 #pragma once
-// One function a rule; each appends its findings.
+// Each rule is one function, which appends its findings.
 
 #include "compiler/model/diagnostic.h"
 #include "compiler/model/lookup.h"
@@ -7,50 +7,54 @@
 
 namespace suture::compiler::check {
 
-/// Wire names: legal for capnp, free of what its C++ reserves, distinct where they meet.
+/// Checks that wire names are legal for capnp, free of what its C++ reserves, and distinct where
+/// they meet.
 void checkNames(const model::Header& header, model::Diagnostics& findings);
 
-/// Enums: neither empty nor larger than the wire's 16 bits, values distinct, one fallback at most.
+/// Checks that enums are neither empty nor larger than the wire's 16 bits, that their values are
+/// distinct, and that one at most is the fallback.
 void checkEnums(const model::Header& header, model::Diagnostics& findings);
 
-/// Names that was() exchanges: their lock would read the same before and after.
+/// Refuses names that was() exchanges, because their lock would read the same before and after.
 void checkExchanges(const model::Header& header, model::Diagnostics& findings);
 
-/// unit() and range() of fields, parameters, results and payloads; defaults within their ranges.
+/// Checks unit() and range() of fields, parameters, results and payloads, and that defaults lie
+/// within their ranges.
 void checkNumbers(const model::Header& header, model::Diagnostics& findings);
 
-/// queue(), latest() and ttl(): where they mean something, and which exclude each other.
+/// Checks that queue(), latest() and ttl() stand where they mean something, and that none excludes
+/// another.
 void checkQueues(const model::Header& header, model::Diagnostics& findings);
 
-/// Contracts as wholes: versions, deadlines, what an annotation means for a kind of command, names
-/// that generated code needs for itself.
+/// Checks contracts as wholes: their versions and deadlines, what an annotation means for a kind of
+/// command, and names that generated code needs for itself.
 void checkContracts(const model::Header& header, model::Diagnostics& findings);
 
-/// since() and deprecated(): versions count from 1, and what is new avoids what is old.
+/// Checks since() and deprecated(): versions count from 1, and what is new avoids what is old.
 void checkLifecycles(const model::Header& header, const model::Lookup& lookup,
                      model::Diagnostics& findings);
 
-/// Contracts that say crtk(): names by its grammar, payloads by its table.
+/// Checks contracts that say crtk(): their names by CRTK's grammar, their payloads by its table.
 void checkCrtk(const model::Header& header, const model::Lookup& lookup,
                model::Diagnostics& findings);
 
-/// Components: the names and annotations of their interfaces.
+/// Checks the names and annotations of components' interfaces.
 void checkComponents(const model::Header& header, model::Diagnostics& findings);
 
-/// Reads of types that own heap return by const reference.
+/// Checks that reads of types that own heap return by const reference.
 void checkReads(const model::Header& header, const model::Lookup& lookup,
                 model::Diagnostics& findings);
 
-/// What a contract carries is not too large; where a task provides or requires it, every string and
-/// list is bounded, and nothing contains itself.
+/// Checks that what a contract carries is not too large. If a task provides or requires it, every
+/// string and list must have a bound, and nothing may contain itself.
 void checkBounds(const model::Header& header, const model::Lookup& lookup,
                  model::Diagnostics& findings);
 
-/// Sizes and depths that no message can have.
+/// Refuses sizes and depths that no message can have.
 void checkLimits(const model::Header& header, const model::Lookup& lookup,
                  model::Diagnostics& findings);
 
-/// Appends an error; the result takes notes.
+/// Appends an error, and returns it so that the caller can add notes.
 model::Diagnostic& addError(model::Diagnostics& findings, const model::Source& source,
                             std::string slug, std::string message, std::string help);
 

@@ -61,7 +61,7 @@ bool walk(const model::Type& type, const model::Lookup& lookup,
 
 bool ownsHeap(const model::Type& type, const model::Lookup& lookup) {
   return !walk(type, lookup, [](const Place& place) {
-    // Among optionals, std::unique_ptr alone: only its spelling tells them apart.
+    // Only std::unique_ptr among optionals owns heap, and only its spelling tells it apart.
     const bool pointer =
         place.type.shape == Shape::Optional && place.type.spelling.starts_with("std::unique_ptr");
     return !isSized(place.type) && !pointer;

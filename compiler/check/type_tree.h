@@ -1,5 +1,5 @@
 #pragma once
-// Walks through everything that a type holds, into the structs it names.
+// This walks through everything that a type holds, into the structs that it names.
 
 #include <functional>
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace suture::compiler::check {
 
-/// One place within a type: how to get there ("position[].x") and the field that declares it, null
-/// for the type itself.
+/// Is one place within a type: how to get there ("position[].x") and the field that declares it,
+/// which is null for the type itself.
 struct Place {
   const model::Type& type;
   std::string path;
@@ -17,18 +17,18 @@ struct Place {
   bool recursive = false;  ///< a struct that holds this place; it is not entered again
 };
 
-/// Is this level of the type of any size, so that it needs a capacity()?
+/// Tells if this level of the type can have any size, so that it needs a capacity().
 bool isSized(const model::Type& type);
 
-/// Is a capacity() that this level needs missing? Zero counts as missing.
+/// Tells if a capacity() that this level needs is missing. Zero counts as missing.
 bool isOpen(const model::Type& type);
 
-/// Calls `visit` for the type and all it holds, outside in, until it returns false; then returns
-/// false itself.
+/// Calls `visit` for the type and all it holds, outside in, until `visit` returns false; then
+/// walk() returns false itself.
 bool walk(const model::Type& type, const model::Lookup& lookup,
           const std::function<bool(const Place&)>& visit);
 
-/// Whether a value of the type owns memory on the heap.
+/// Tells if a value of the type owns memory on the heap.
 bool ownsHeap(const model::Type& type, const model::Lookup& lookup);
 
 }  // namespace suture::compiler::check

@@ -10,19 +10,19 @@ namespace {
 
 using std::string_view;
 
-// Spelled as in UCUM: '.' multiplies, '/' divides the next factor, digits are powers.
+// Units are spelled as in UCUM: '.' multiplies, '/' divides by the next factor, digits are powers.
 
-// Take a prefix: SI, with what CRTK, ROS REP-103 and OpenIGTLink use of it.
+// These take a prefix: they are SI, with what CRTK, ROS REP-103 and OpenIGTLink use of it.
 constexpr std::array<string_view, 32> kMetric{
     "m", "g", "s", "A", "K",   "mol", "cd", "rad", "sr", "Hz", "N",  "Pa", "J", "W", "C",   "V",
     "F", "H", "T", "S", "Ohm", "Wb",  "lm", "lx",  "Bq", "Gy", "Sv", "l",  "L", "B", "bar", "eV"};
-// Take none.
+// These take no prefix.
 constexpr std::array<string_view, 12> kPlain{"1",   "%",    "min", "h",  "d",   "deg",
                                              "Cel", "degC", "rev", "px", "bit", "count"};
 constexpr std::array<string_view, 11> kPrefixes{"p", "n", "u", "m", "c", "d",
                                                 "h", "k", "M", "G", "T"};
 
-// What a wrong spelling is likely to mean.
+// These are what a wrong spelling is likely to mean.
 constexpr std::array<string_view, 74> kCommon{
     "1",     "%",       "m",     "mm",        "um",     "nm",     "km",     "m2",   "mm2",   "m3",
     "mm3",   "l",       "ml",    "rad",       "mrad",   "deg",    "sr",     "s",    "ms",    "us",
@@ -45,7 +45,7 @@ bool isUnit(string_view symbol) {
          });
 }
 
-/// A unit, which may have a power: "m", "m2", "s-1".
+/// Tells if the text is a unit, which may have a power: "m", "m2", "s-1".
 bool isFactor(string_view text) {
   if (isUnit(text)) return true;
   const std::size_t sign = text.find_last_not_of("123456789");

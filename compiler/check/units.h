@@ -1,5 +1,5 @@
 #pragma once
-// The units that an annotation may give, spelled as in UCUM.
+// These are the units that an annotation may give, spelled as in UCUM.
 
 #include <string>
 #include <string_view>
