@@ -62,7 +62,7 @@ std::optional<std::string> textOf(const clang::APValue& value) {
   return literal->getString().str();
 }
 
-/// The dsl name of an argument, as "max_age" for a value of type suture::dsl::MaxAge.
+/// Returns the dsl name of an argument: "max_age" for a value of type suture::dsl::MaxAge.
 std::string nameOf(clang::QualType type) {
   const auto* record = type->getAsCXXRecordDecl();
   if (!record) return "";
@@ -84,7 +84,8 @@ std::vector<unsigned> capacityOf(const clang::APValue& value) {
   return levels;
 }
 
-/// Returns what dsl::member(noexcept(any<Type>().m), ...) names; null of another argument.
+/// Returns what dsl::member(noexcept(any<Type>().m), ...) names, or null if the argument has
+/// another form.
 const clang::MemberExpr* mentionedMember(const clang::Stmt* argument) {
   if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(argument)) return member;
   for (const clang::Stmt* child : argument->children()) {
@@ -237,7 +238,7 @@ class Reader {
   std::set<std::string> seen_;
   std::vector<AnnotationProblem>& problems_;
   clang::SourceLocation place_;                   // of the listed member that is being read
-  const clang::MemberExpr* mentioned_ = nullptr;  // that member, where nothing points to it
+  const clang::MemberExpr* mentioned_ = nullptr;  // that member, if no pointer to it can be had
 };
 
 }  // namespace

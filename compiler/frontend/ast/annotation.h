@@ -1,5 +1,5 @@
 #pragma once
-// Reads what a SUTURE_ macro left on a declaration.
+// This reads what a SUTURE_ macro left on a declaration.
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/Attr.h>
@@ -16,7 +16,7 @@ namespace suture::compiler::frontend {
 
 enum class Kind { Type, Field, Interface, Command, Event, Component, Required, External };
 
-/// "SUTURE_TYPE" for messages.
+/// Returns the macro's name for messages, such as "SUTURE_TYPE".
 std::string macroOf(Kind kind);
 
 struct ExternalMember;
@@ -25,7 +25,7 @@ struct Annotation {
   Kind kind = Kind::Type;
   std::string unit;
   std::optional<std::pair<double, double>> range;
-  std::vector<unsigned> capacity;  ///< outside in; empty = none said
+  std::vector<unsigned> capacity;  ///< outside in; empty if none was said
   std::optional<std::string> was, name;
   std::optional<unsigned> queue;
   std::optional<std::int64_t> ttlNanoseconds;
@@ -52,29 +52,29 @@ struct ExternalMember {
   clang::SourceLocation place{};  ///< where SUTURE_EXTERNAL_TYPE names it
 };
 
-/// Whether a macro of that name annotates.
+/// Tells if a macro of that name annotates.
 bool isVocabulary(llvm::StringRef macro);
 
-/// "unit", "range"...: what any of the macros takes.
+/// Returns what any of the macros takes: "unit", "range" and so on.
 std::vector<std::string_view> annotationArguments();
 
 /// Says what is wrong with an annotation's arguments.
 struct AnnotationProblem {
   std::string slug, message, help;
-  clang::SourceLocation place;  ///< of the member that is listed; invalid: at the declaration
+  clang::SourceLocation place;  ///< of the listed member; invalid if it is the declaration's
 };
 
-/// Whether the declaration bears the macro.
+/// Tells if the declaration bears the macro.
 bool isAnnotated(const clang::Decl* declaration, Kind kind);
 
-/// The kinds of all Suture annotations on the declaration, in the order written.
+/// Returns the kinds of all Suture annotations on the declaration, in the order written.
 std::vector<Kind> annotationKinds(const clang::Decl* declaration);
 
-/// The annotation of that kind; a default one if there is none. Problems are appended.
+/// Returns the annotation of that kind, or a default one if there is none. It appends problems.
 Annotation readAnnotation(const clang::Decl* declaration, Kind kind,
                           std::vector<AnnotationProblem>& problems);
 
-/// Where a macro may stand more than once: one annotation for each, in the order of the text.
+/// Returns one annotation for each time that the macro stands there, in the order of the text.
 std::vector<Annotation> readEach(const clang::Decl* declaration, Kind kind,
                                  std::vector<AnnotationProblem>& problems);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Nothing annotated is skipped silently: every use of the vocabulary is found again in the tree.
+// This finds every use of the vocabulary again in the tree, so that nothing annotated is skipped
+// silently.
 
 #include <clang/AST/Decl.h>
 #include <clang/Lex/Preprocessor.h>
@@ -9,16 +10,16 @@
 
 namespace suture::compiler::frontend {
 
-/// Where macros of the vocabulary were expanded, less those that a visited declaration bears.
+/// Holds where macros of the vocabulary were expanded, less those that a visited declaration bears.
 class AnnotationUses {
  public:
   /// Collects from now on.
   void watch(clang::Preprocessor& preprocessor);
 
-  /// The declaration's annotations were seen.
+  /// Takes off the list what the declaration bears, because it was visited.
   void claim(const clang::Decl* declaration);
 
-  /// The macro's name by the place of its use, of those that no declaration claimed.
+  /// Returns the macros that no declaration claimed: their names, by the place of their use.
   const std::map<clang::SourceLocation, std::string>& unclaimed() const { return open_; }
 
  private:

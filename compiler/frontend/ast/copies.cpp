@@ -7,7 +7,7 @@
 namespace suture::compiler::frontend {
 namespace {
 
-/// Null if the type is no class.
+/// Returns the definition of a class, or null if the type is no class.
 clang::CXXRecordDecl* classOf(clang::QualType type) {
   clang::CXXRecordDecl* const record = type.getCanonicalType()->getAsCXXRecordDecl();
   return record == nullptr ? nullptr : record->getDefinition();

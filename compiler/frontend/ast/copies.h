@@ -1,5 +1,5 @@
 #pragma once
-// How values of a class get from one place to another.
+// These say how values of a class get from one place to another.
 
 #include <clang/AST/Type.h>
 #include <clang/Sema/Sema.h>
@@ -12,7 +12,7 @@ bool canBeCopied(clang::QualType type, clang::Sema& semantics);
 /// Tells if a value can be moved, and so can the elements of a std::vector.
 bool canBeMoved(clang::QualType type, clang::Sema& semantics);
 
-/// Tells if a value can be moved, and its class has code for that.
+/// Tells if a value can be moved, and if its class has code for that.
 bool movesByCode(clang::QualType type, clang::Sema& semantics);
 
 }  // namespace suture::compiler::frontend

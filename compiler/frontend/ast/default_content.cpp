@@ -6,7 +6,7 @@
 namespace suture::compiler::frontend {
 namespace {
 
-/// The first argument of a construction, if it is the only one that is written.
+/// Returns the first argument of a construction if it is the only one that is written, else null.
 const clang::Expr* onlyArgument(const clang::CXXConstructExpr* construct) {
   if (construct->getNumArgs() == 0) return nullptr;
   for (unsigned i = 1; i < construct->getNumArgs(); ++i) {
@@ -15,7 +15,7 @@ const clang::Expr* onlyArgument(const clang::CXXConstructExpr* construct) {
   return construct->getArg(0);
 }
 
-/// What a construction or conversion makes its value of; null if `expression` is neither.
+/// Returns what a construction or conversion makes its value of; null if `expression` is neither.
 const clang::Expr* below(const clang::Expr* expression) {
   if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(expression)) {
     return list->getNumInits() == 1 ? list->getInit(0) : nullptr;
@@ -27,7 +27,7 @@ const clang::Expr* below(const clang::Expr* expression) {
   return construct == nullptr ? nullptr : onlyArgument(construct);
 }
 
-/// The first of its kind on the way down.
+/// Returns the first expression of its kind on the way down, or null if there is none.
 template <class Kind>
 const Kind* firstIn(const clang::Expr* expression) {
   while (expression != nullptr) {

@@ -68,7 +68,7 @@ const clang::APValue& onlyNumber(const clang::APValue& value) {
   return one ? onlyNumber(value.getStructField(0)) : value;
 }
 
-// Spells them exactly: 20,000,000 are "0.02".
+// Spells nanoseconds as seconds, exactly: 20,000,000 are "0.02".
 std::string secondsJson(std::int64_t nanoseconds) {
   const std::uint64_t size = nanoseconds < 0 ? 0 - static_cast<std::uint64_t>(nanoseconds)
                                              : static_cast<std::uint64_t>(nanoseconds);

@@ -1,5 +1,5 @@
 #pragma once
-// Finds what the default constructor of a struct gives its members.
+// This finds what the default constructor of a struct gives its members.
 
 #include <clang/AST/Decl.h>
 
@@ -13,7 +13,7 @@ namespace suture::compiler::frontend {
 struct Default {
   enum class State {
     Nothing,      ///< what its type's own default is, or what only a constructor knows (isPreset)
-    Constant,     ///< `json`
+    Constant,     ///< what `json` says
     NotConstant,  ///< a number that is known when the program runs
     NotANumber,   ///< NaN or something that holds it, which no contract lets pass
     TooLong,      ///< more bytes or elements than its capacity
@@ -21,14 +21,14 @@ struct Default {
   };
 
   State state = State::Nothing;
-  /// A number, an enumerator's name, a string; "inf" and "-inf"; of a duration its seconds, with
-  /// as many digits as it takes.
+  /// Is a number, an enumerator's name or a string; infinity is "inf" or "-inf", and a duration is
+  /// its seconds, with as many digits as it takes.
   std::string json{};
 };
 
 Default defaultOf(const clang::FieldDecl* field, const model::Type& type);
 
-/// Whether the default constructor of the field's class may give it another value than its type
+/// Tells if the default constructor of the field's class may give it another value than its type
 /// does.
 bool isPreset(const clang::FieldDecl* field);
 

@@ -15,15 +15,15 @@ bool isClosing(const clang::Token& token) {
   return token.isOneOf(clang::tok::r_paren, clang::tok::r_brace, clang::tok::r_square);
 }
 
-/// Lexes from the end of a declaration. No text gets out of it that clang has not read, so that the
-/// macros in it have not been expanded.
+/// Lexes from the end of a declaration. Clang has not read this text yet, and its macros have not
+/// been expanded, so it must be judged by its tokens alone.
 class BodyFinder {
  public:
   explicit BodyFinder(clang::Lexer& lexer) : lexer_(lexer) {}
 
-  /// Moves behind the brace that opens the body. False if there is none.
+  /// Moves behind the brace that opens the body. Returns false if there is none.
   bool find() {
-    clang::tok::TokenKind before = next();  // the end of the declaration
+    clang::tok::TokenKind before = next();  // this is the end of the declaration
     bool listed = false;
     for (clang::tok::TokenKind kind = next(); kind != clang::tok::eof; kind = next()) {
       // In a list of initialisers, a brace that follows a name is the member's.
@@ -46,7 +46,7 @@ class BodyFinder {
     return token_.getKind();
   }
 
-  /// Moves to what closes the group that the present token opens.
+  /// Moves to what closes the group that the present token opens. Returns false if nothing does.
   bool skipGroup() {
     for (unsigned depth = 1; depth != 0;) {
       if (next() == clang::tok::eof) return false;

@@ -30,7 +30,7 @@ std::string generatedHeaderOf(llvm::StringRef sourceHeader) {
 GeneratedHeaders::GeneratedHeaders(llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> real)
     : ProxyFileSystem(real), replaced_(new llvm::vfs::InMemoryFileSystem()) {
   if (auto directory = real->getCurrentWorkingDirectory()) {
-    (void)replaced_->setCurrentWorkingDirectory(*directory);  // one in memory takes any
+    (void)replaced_->setCurrentWorkingDirectory(*directory);  // one in memory takes any directory
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What clang sees where a header includes generated code.
+// This is what clang sees if a header includes generated code.
 
 #include <llvm/Support/VirtualFileSystem.h>
 
@@ -8,14 +8,14 @@ namespace suture::compiler::frontend {
 /// Ends the name of every generated header: "arm/arm.suture.h" belongs to "arm/arm.h".
 inline constexpr llvm::StringLiteral kGeneratedSuffix = ".suture.h";
 
-/// "arm/arm.suture.h" -> "arm/arm.h". The path must end with kGeneratedSuffix.
+/// Returns "arm/arm.h" for "arm/arm.suture.h". The path must end with kGeneratedSuffix.
 std::string sourceHeaderOf(llvm::StringRef generatedHeader);
-/// "arm/arm.h" -> "arm/arm.suture.h", whatever the ending.
+/// Returns "arm/arm.suture.h" for "arm/arm.h", and likewise for any other ending.
 std::string generatedHeaderOf(llvm::StringRef sourceHeader);
 
-/// The real files, but each X.suture.h reads as an include of the X.h beside which it is looked up
-/// and of the templates that it specialises. Files with that name on disk are never read, so there
-/// is no header cycle and a stale one does no harm.
+/// Has the real files, but each X.suture.h reads as an include of the X.h beside which it is looked
+/// up and of the templates that it specialises. Files with that name on disk are never read, so
+/// there is no header cycle and a stale one does no harm.
 class GeneratedHeaders : public llvm::vfs::ProxyFileSystem {
  public:
   explicit GeneratedHeaders(llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> real);
@@ -25,7 +25,8 @@ class GeneratedHeaders : public llvm::vfs::ProxyFileSystem {
   bool exists(const llvm::Twine& path) override;
 
  private:
-  // The file system that answers for the path; null where there is no X.h.
+  // Returns the file system that answers for the path, or null if it ends with kGeneratedSuffix and
+  // there is no X.h.
   llvm::vfs::FileSystem* owner(const llvm::Twine& path);
 
   llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> replaced_;

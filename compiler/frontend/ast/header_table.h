@@ -1,5 +1,5 @@
 #pragma once
-// Which header of the model a declaration belongs to.
+// This knows which header of the model a declaration belongs to.
 
 #include <clang/AST/Decl.h>
 #include <clang/Basic/FileManager.h>
@@ -18,13 +18,13 @@ class HeaderTable {
   HeaderTable(const clang::SourceManager& sources, clang::HeaderSearch& search,
               std::string baseDirectory);
 
-  /// A header of the target itself. False if there is no such file.
+  /// Adds a header of the target itself. Returns false if there is no such file.
   bool addOwn(const std::string& header);
 
-  /// The header that the declaration stands in, added as foreign when it is new.
+  /// Returns the header that the declaration stands in, and adds it as foreign if it is new.
   model::Header& of(const clang::Decl* declaration);
 
-  /// All headers, sorted by path.
+  /// Hands over all headers, sorted by path.
   std::vector<model::Header> take();
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Includes that need a word from us.
+// This watches for includes that a user needs to be told of.
 
 #include <clang/Lex/Preprocessor.h>
 

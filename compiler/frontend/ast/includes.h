@@ -1,5 +1,5 @@
 #pragma once
-// Which header includes which, also where a guard skipped the second time.
+// This knows which header includes which, also if a guard skipped the second time.
 
 #include <clang/Basic/FileEntry.h>
 #include <clang/Lex/Preprocessor.h>

@@ -10,7 +10,8 @@
 namespace suture::compiler::frontend {
 namespace {
 
-// Of a template that is called without arguments it is the pattern, which is what can be seen.
+// Returns the default constructor that a user wrote, or null. If it is a template that is called
+// without arguments, it returns the pattern, because only that can be seen.
 const clang::CXXConstructorDecl* writtenConstructor(const clang::CXXRecordDecl* record) {
   for (const clang::CXXConstructorDecl* one : record->ctors()) {
     if (one->isDefaultConstructor()) return one->isUserProvided() ? one : nullptr;
@@ -58,7 +59,7 @@ const clang::Expr* inTemplate(const clang::FieldDecl* field) {
   return found == nullptr || found->isInstantiationDependent() ? nullptr : found;
 }
 
-// Finds whether the constructor hands over to another, or stands in another file.
+// Tells if the constructor hands over to another, or stands in another file.
 bool isElsewhere(const clang::CXXConstructorDecl* constructor) {
   const clang::CXXConstructorDecl* const definition = definitionOf(constructor);
   return definition == nullptr || definition->isDelegatingConstructor();

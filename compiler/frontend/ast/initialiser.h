@@ -1,5 +1,5 @@
 #pragma once
-// Finds the expression that gives a member its value in the default constructor of its class.
+// These find the expression that gives a member its value in the default constructor of its class.
 
 #include <clang/AST/Decl.h>
 #include <clang/AST/DeclCXX.h>
@@ -7,18 +7,18 @@
 
 namespace suture::compiler::frontend {
 
-/// Null: there is none that can be seen. The constructor's own comes before that of the
-/// declaration, as in C++.
+/// Returns the initialiser, or null if none can be seen. The constructor's own comes before that of
+/// the declaration, as in C++.
 const clang::Expr* initialiserOf(const clang::FieldDecl* field);
 
-/// True for "{}", and for a constructor without arguments.
+/// Returns true for "{}", and for a constructor without arguments.
 bool saysNothing(const clang::Expr* initialiser);
 
-/// Whether a constructor that somebody wrote may set the member where suturec does not follow: in
+/// Tells if a constructor that a user wrote may set the member where suturec does not follow: in
 /// its body, in another constructor, in another file. What its list says is seen.
 bool mayBeAssigned(const clang::FieldDecl* field);
 
-/// Whether a constructor that somebody wrote says what the base is, or may do so.
+/// Tells if a constructor that a user wrote says what the base is, or may do so.
 bool mayBeInitialised(const clang::CXXRecordDecl* record, const clang::CXXBaseSpecifier& base);
 
 }  // namespace suture::compiler::frontend

@@ -25,7 +25,7 @@ std::string scopeOf(const clang::DeclContext* context) {
 
 std::string titled(const std::string& name) { return model::titleCase(model::camelCase(name)); }
 
-// Names in capitals are taken as words: capnp would spell FOO's constant as F_O_O.
+// Takes names in capitals as words, because capnp would spell FOO's constant as F_O_O.
 std::string quiet(std::string name) {
   if (name.find_first_of("abcdefghijklmnopqrstuvwxyz") != std::string::npos) return name;
   return llvm::StringRef(name).lower();

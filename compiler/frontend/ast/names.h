@@ -1,5 +1,5 @@
 #pragma once
-// Names of declarations as the model holds them.
+// These name declarations as the model holds them.
 
 #include <clang/AST/Decl.h>
 
@@ -10,25 +10,26 @@
 
 namespace suture::compiler::frontend {
 
-/// "Pose": of what a typedef alone names, the name of the typedef; "" where nothing names it.
+/// Returns the unqualified name, such as "Pose". If only a typedef names the type, that is the name
+/// of the typedef; it is "" if nothing does.
 std::string plainName(const clang::NamedDecl* declaration);
 
-/// "std::chrono::steady_clock": without inline namespaces and template arguments.
+/// Returns the name without inline namespaces and template arguments: "std::chrono::steady_clock".
 std::string qualifiedName(const clang::NamedDecl* declaration);
 
-/// The enclosing namespaces of a declaration, qualified: "robots::arm".
+/// Returns the enclosing namespaces of a declaration, qualified: "robots::arm".
 std::string namespaceOf(const clang::Decl* declaration);
 
-/// Wire name of a type: the one that name() gives, else from the C++ name, "foo_t" -> "FooT", of a
-/// nested class with those around it, "Arm::State" -> "ArmState".
+/// Returns the wire name of a type: the one that name() gives, else "FooT" for the C++ name
+/// "foo_t". The name of a nested class has those around it in front: "ArmState" for "Arm::State".
 std::string wireTypeName(model::Named kind, const clang::NamedDecl* declaration,
                          const std::optional<std::string>& given);
 
-/// Wire name of a field, parameter, method, event or enumerator: "servo_cp" -> "servoCp",
-/// "POWER_ON" -> "powerOn".
+/// Returns the wire name of a field, parameter, method, event or enumerator: "servoCp" for
+/// "servo_cp", "powerOn" for "POWER_ON".
 std::string wireMemberName(const std::string& cxxName, const std::optional<std::string>& given);
 
-/// Gives the same, and a word more where something else has that name on the wire.
+/// Returns such a name, with a word more if something else has that name on the wire.
 std::string wireMemberName(model::Named kind, const std::string& cxxName,
                            const std::optional<std::string>& given);
 

@@ -38,10 +38,10 @@ bool isInsertion(const clang::FixItHint& hint) {
   return hint.RemoveRange.isCharRange() && hint.RemoveRange.getBegin() == hint.RemoveRange.getEnd();
 }
 
-/// Several findings may ask for one and the same insertion.
+/// Remembers insertions, because several findings may ask for one and the same.
 using Inserted = std::set<std::pair<clang::SourceLocation, std::string>>;
 
-/// False, and nothing changed, unless all of the hints can be applied.
+/// Applies the hints. Returns false, and changes no text, unless all of them can be applied.
 bool commit(const std::vector<clang::FixItHint>& hints, clang::edit::EditedSource& edited,
             Inserted& inserted) {
   const clang::SourceManager& sources = edited.getSourceManager();

@@ -1,5 +1,5 @@
 #pragma once
-// Keeps the fix-its of what is reported, so that `suturec --fix` can apply them.
+// This keeps the fix-its of what is reported, so that `suturec --fix` can apply them.
 
 #include <clang/Basic/Diagnostic.h>
 #include <clang/Edit/EditedSource.h>
@@ -25,7 +25,7 @@ class FixCollector : public clang::DiagnosticConsumer {
   void HandleDiagnostic(clang::DiagnosticsEngine::Level level,
                         const clang::Diagnostic& finding) override;
 
-  /// One more for the next finding, which clang itself shall not print.
+  /// Adds a hint to the next finding; clang itself shall not print it.
   void addToNext(clang::FixItHint hint) { unprinted_.push_back(std::move(hint)); }
 
   Fixes apply(clang::SourceManager& sources, const clang::LangOptions& language) const;
@@ -35,7 +35,7 @@ class FixCollector : public clang::DiagnosticConsumer {
 
   std::unique_ptr<clang::DiagnosticConsumer> printer_;
   Hints unprinted_;
-  std::vector<Hints> hints_;  // of one finding each; none where it has none
+  std::vector<Hints> hints_;  // those of one finding each; an error without any has an empty entry
 };
 
 }  // namespace suture::compiler::frontend

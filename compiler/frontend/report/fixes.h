@@ -7,10 +7,10 @@
 
 namespace suture::compiler::frontend {
 
-/// This holds what the fix-its of all errors so far come to.
+/// This holds what the fix-its of all findings so far come to.
 struct Fixes {
   std::vector<model::Artefact> files;  ///< whole new texts, by absolute path
-  unsigned fixed = 0, open = 0;        ///< errors with and without a fix-it
+  unsigned fixed = 0, open = 0;  ///< findings whose fix-its are applied, and findings that are left
 };
 
 }  // namespace suture::compiler::frontend

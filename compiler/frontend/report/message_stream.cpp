@@ -58,7 +58,8 @@ void MessageStream::forward(llvm::StringRef line) {
   }
 }
 
-// Clang takes a misspelt argument for a missing member of a namespace that no user has heard of.
+// Explains a misspelt argument, which clang takes for a missing member of a namespace that no user
+// has heard of.
 void MessageStream::forwardUnknown(llvm::StringRef place, llvm::StringRef rest) {
   const auto [name, where] = rest.split('\'');
   if (!where.starts_with(" in namespace 'suture::dsl'")) {

@@ -1,5 +1,5 @@
 #pragma once
-// Clang's messages as the user should see them.
+// This prints clang's messages as the user should see them.
 
 #include <llvm/Support/raw_ostream.h>
 
@@ -24,8 +24,8 @@ class MessageStream : public llvm::raw_ostream {
   llvm::raw_ostream& out_;
   std::string includeLine_;
   std::string pending_;
-  std::string advice_;             // to follow the excerpt of the source
-  bool withinVocabulary_ = false;  // in the excerpt of a SUTURE_ macro's definition
+  std::string advice_;             // follows the excerpt of the source
+  bool withinVocabulary_ = false;  // true in the excerpt of a SUTURE_ macro's definition
 };
 
 }  // namespace suture::compiler::frontend

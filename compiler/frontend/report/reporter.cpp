@@ -56,14 +56,15 @@ bool Reporter::isError(const model::Diagnostic& finding) const {
          fatal_.contains(finding.slug);
 }
 
-// Clang would print all lines from the finding to a hint on another.
+// Tells if a hint is on the finding's line, because clang would print all lines from the one to the
+// other.
 bool Reporter::areOnOneLine(clang::SourceLocation a, clang::SourceLocation b) const {
   const clang::SourceManager& sources = engine_.getSourceManager();
   return sources.getFileID(a) == sources.getFileID(sources.getExpansionLoc(b)) &&
          sources.getExpansionLineNumber(a) == sources.getExpansionLineNumber(b);
 }
 
-// Gives no hint for what a macro wrote: the text to change is not where it seems.
+// Returns no hint for what a macro wrote, because the text to change is not where it seems.
 clang::FixItHint Reporter::hintOf(const model::Fix& fix) const {
   const SourceTable::Place* place = table_.find(fix.source);
   if (!place) return {};
@@ -83,7 +84,7 @@ clang::FixItHint Reporter::hintOf(const model::Fix& fix) const {
   return {};
 }
 
-// A place outside the translation unit, such as a line of a lock file.
+// Finds a place outside the translation unit, such as a line of a lock file.
 clang::SourceLocation Reporter::locate(const model::Source& source) {
   if (source.file.empty() || source.line == 0) return {};
   clang::SourceManager& sources = engine_.getSourceManager();

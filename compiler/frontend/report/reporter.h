@@ -1,5 +1,5 @@
 #pragma once
-// Prints findings through clang's own engine: caret, underlined range, notes, error limit.
+// This prints findings through clang's own engine: caret, underlined range, notes, error limit.
 
 #include <clang/Basic/Diagnostic.h>
 #include <clang/Basic/FileManager.h>
@@ -15,12 +15,12 @@ namespace suture::compiler::frontend {
 
 class Reporter {
  public:
-  /// Warnings of the slugs in `fatal`, or all where it holds "all", count as errors.
+  /// Counts warnings of the slugs in `fatal`, or all if it holds "all", as errors.
   Reporter(clang::DiagnosticsEngine& engine, const clang::LangOptions& language,
            const SourceTable& table, const std::set<std::string>& fatal, FixCollector& fixes)
       : engine_(engine), language_(language), table_(table), fatal_(fatal), fixes_(fixes) {}
 
-  /// False if an error was among them.
+  /// Prints the findings. Returns false if an error was among them.
   bool report(const model::Diagnostics& findings);
 
  private:

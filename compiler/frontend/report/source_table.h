@@ -1,5 +1,6 @@
 #pragma once
-// Where the declarations of the model stand: turns clang locations into model::Source and back.
+// This knows where the declarations of the model stand: it turns clang locations into model::Source
+// and back.
 
 #include <clang/Basic/SourceLocation.h>
 #include <clang/Basic/SourceManager.h>
@@ -27,7 +28,7 @@ class SourceTable {
             .line = presumed.isValid() ? presumed.getLine() : 0};
   }
 
-  /// Null for a source that did not come from here.
+  /// Returns the place of a source, or null if the source did not come from here.
   const Place* find(const model::Source& source) const {
     return source.handle == 0 || source.handle > places_.size() ? nullptr
                                                                 : &places_[source.handle - 1];
