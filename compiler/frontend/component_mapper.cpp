@@ -41,7 +41,7 @@ model::ComponentBase mapBase(const clang::CXXRecordDecl* declaration, Mapping& m
   return model::ComponentBase::Device;
 }
 
-// The first string literal in `{*this, "Arm", *this}`.
+// Returns the first string literal, such as "Arm" in `{*this, "Arm", *this}`; "" if there is none.
 std::string portName(const clang::Stmt* initialiser) {
   if (!initialiser) return "";
   if (const auto* literal = llvm::dyn_cast<clang::StringLiteral>(initialiser)) {
@@ -121,7 +121,7 @@ std::optional<model::Port> mapPort(const clang::FieldDecl* field, Mapping& mappi
   return port;
 }
 
-/// Ports of the class and of the user's own bases, bases first as they are constructed.
+/// Maps the ports of the class and of the user's own bases, bases first as they are constructed.
 void mapPorts(const clang::CXXRecordDecl* declaration, std::vector<model::Port>& ports,
               Mapping& mapping) {
   for (const clang::CXXBaseSpecifier& base : declaration->bases()) {
@@ -133,7 +133,7 @@ void mapPorts(const clang::CXXRecordDecl* declaration, std::vector<model::Port>&
   }
 }
 
-/// What the component says of its required interfaces holds for those that say nothing themselves.
+/// Applies what the component says of its required interfaces to those that say nothing themselves.
 void applyDefaults(const Annotation& annotation, std::vector<model::Port>& ports) {
   for (model::Port& port : ports) {
     if (port.provided) continue;
@@ -142,7 +142,8 @@ void applyDefaults(const Annotation& annotation, std::vector<model::Port>& ports
   }
 }
 
-/// The type that a constructor takes as its only parameter, if it has a wire form: qualified.
+/// Returns the qualified name of the type that a constructor takes as its only parameter, if the
+/// type has a wire form.
 std::optional<std::string> parametersOf(const clang::CXXConstructorDecl* constructor,
                                         Mapping& mapping) {
   if (constructor->getNumParams() != 1 || constructor->isCopyOrMoveConstructor()) return {};
@@ -191,7 +192,7 @@ std::vector<const clang::CXXMethodDecl*> pureMethodsOf(const clang::CXXRecordDec
   return pure;
 }
 
-/// "const Pose& measured_cp() const".
+/// Returns the method as a user declares it: "const Pose& measured_cp() const".
 std::string signatureOf(const clang::CXXMethodDecl* method, const clang::ASTContext& context) {
   std::string parameters;
   for (const clang::ParmVarDecl* parameter : method->parameters()) {

@@ -1,5 +1,5 @@
 #pragma once
-// SUTURE_COMPONENT: what a class provides and requires, and what it is made from.
+// This maps SUTURE_COMPONENT: what a class provides and requires, and what it is made from.
 
 #include "compiler/frontend/types/mapping.h"
 
@@ -7,7 +7,7 @@ namespace suture::compiler::frontend {
 
 model::Component mapComponentDeclaration(const clang::CXXRecordDecl* declaration, Mapping& mapping);
 
-/// Whether the declaration is a suture::Required member.
+/// Tells if the declaration is a suture::Required member.
 bool isRequiredInterface(const clang::Decl* declaration);
 
 }  // namespace suture::compiler::frontend

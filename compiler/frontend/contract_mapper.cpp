@@ -13,7 +13,7 @@ std::string commandSubject(const clang::NamedDecl* method) {
   return "command '" + method->getNameAsString() + "'";
 }
 
-/// Rejects what no proxy could call. True if an error was reported.
+/// Rejects what no proxy could call. Returns true if it reported an error.
 bool rejectMethod(const clang::CXXMethodDecl* method, Mapping& mapping) {
   const std::string subject = commandSubject(method);
   if (llvm::isa<clang::CXXConstructorDecl, clang::CXXDestructorDecl, clang::CXXConversionDecl>(
@@ -45,7 +45,7 @@ bool rejectMethod(const clang::CXXMethodDecl* method, Mapping& mapping) {
   return true;
 }
 
-/// The value type behind how a parameter is passed: T and const T& only.
+/// Returns the type of the value that a parameter passes, which must be a T or a const T&.
 std::optional<clang::QualType> passedType(const clang::ParmVarDecl* parameter, Mapping& mapping) {
   const clang::QualType type = parameter->getType();
   const std::string subject = "parameter '" + parameter->getNameAsString() + "'";
@@ -101,7 +101,8 @@ std::optional<model::Parameter> mapParameter(const clang::ParmVarDecl* declarati
   return parameter;
 }
 
-/// A result, or an event's value, has neither a name nor a history of its own.
+/// Reports what a result, or an event's value, cannot say: it has neither a name nor a history of
+/// its own.
 void checkValueArguments(const clang::NamedDecl* declaration, const Annotation& field,
                          Mapping& mapping) {
   if (!field.name && !field.was && !field.since && field.deprecated.empty() && !field.skip &&
@@ -114,8 +115,8 @@ void checkValueArguments(const clang::NamedDecl* declaration, const Annotation& 
                 "say the rest in the other annotation");
 }
 
-/// Reports a result that cannot get to its reader: a read hands it over by moving, and an answer by
-/// copying where the class has no code for moving.
+/// Reports a result that cannot get to its caller: a read hands it over by moving, and an answer by
+/// copying if the class has no code for moving.
 void checkResult(const clang::CXXMethodDecl* method, clang::QualType type, bool isRead,
                  Mapping& mapping) {
   clang::Sema& semantics = mapping.names().semantics();
@@ -142,7 +143,8 @@ void mapResult(const clang::CXXMethodDecl* method, const Annotation& field, mode
   checkResult(method, type, command.kind == model::CommandKind::Read, mapping);
 }
 
-/// Const decides: const = the read family, else void or write.
+/// Sets the kind of a command: const makes it a read, or a qualified read if it has parameters;
+/// else it is a void or a write.
 void mapKind(const clang::CXXMethodDecl* method, const Annotation& field, model::Command& command,
              Mapping& mapping) {
   using model::CommandKind;
@@ -162,7 +164,7 @@ void mapKind(const clang::CXXMethodDecl* method, const Annotation& field, model:
                 "return what it reads, or drop const to make it a write");
 }
 
-/// An optional() command needs a body, for the providers that lack it.
+/// Reports an optional() command without a body, because providers that lack it need one.
 void mapOptional(const clang::CXXMethodDecl* method, const Annotation& annotation,
                  model::Command& command, Mapping& mapping) {
   command.optional = annotation.optional;
@@ -205,7 +207,8 @@ model::Command mapCommand(const clang::CXXMethodDecl* method, Mapping& mapping) 
   return command;
 }
 
-/// Where the event's type names its value `index`; invalid where an alias does.
+/// Returns where the event's type names its value `index`; the range is invalid if an alias names
+/// it.
 clang::SourceRange argumentRange(const clang::FieldDecl* field, unsigned index) {
   const clang::TypeSourceInfo* written = field->getTypeSourceInfo();
   if (!written) return {};
@@ -218,7 +221,7 @@ clang::SourceRange argumentRange(const clang::FieldDecl* field, unsigned index) 
   return arguments.getArgLoc(index).getSourceRange();
 }
 
-/// True if an error was reported.
+/// Rejects a value of type void. Returns true if it reported an error.
 bool rejectVoid(const clang::FieldDecl* field, clang::QualType type, unsigned index,
                 Mapping& mapping) {
   if (!type->isVoidType()) return false;
@@ -231,7 +234,7 @@ bool rejectVoid(const clang::FieldDecl* field, clang::QualType type, unsigned in
   return true;
 }
 
-/// The SUTURE_FIELD of each value, in order; none where nothing was said.
+/// Returns the SUTURE_FIELD of each value, in order; it is a default one if nothing was said.
 std::vector<Annotation> valueAnnotations(const clang::FieldDecl* field, unsigned values,
                                          Mapping& mapping) {
   std::vector<Annotation> all = mapping.annotationsOf(field, Kind::Field);
@@ -291,7 +294,7 @@ model::Fix annotate(const clang::Decl* member, std::string macro, Mapping& mappi
   return mapping.fix(member->getBeginLoc(), model::Fix::Place::Before, std::move(macro));
 }
 
-/// Maps a command; reports a virtual method without the macro, or one that the base has already.
+/// Maps a command, and reports a virtual method without the macro or one that the base has already.
 void mapMethod(const clang::CXXMethodDecl* method, model::Interface& result, Mapping& mapping) {
   const std::string name = "'" + method->getNameAsString() + "'";
   const bool command = isAnnotated(method, Kind::Command);
@@ -338,8 +341,8 @@ void mapMembers(const clang::CXXRecordDecl* declaration, model::Interface& resul
   }
 }
 
-/// Accepts one base at most, itself a contract: its commands keep their numbers in every contract
-/// that derives from it.
+/// Accepts one base at most, itself a contract, because its commands keep their numbers in every
+/// contract that derives from it.
 void mapBase(const clang::CXXRecordDecl* declaration, model::Interface& result, Mapping& mapping) {
   const std::string subject = "contract '" + declaration->getNameAsString() + "'";
   if (declaration->getNumBases() > 1) {

@@ -1,5 +1,5 @@
 #pragma once
-// SUTURE_INTERFACE: commands and events.
+// This maps SUTURE_INTERFACE: commands and events.
 
 #include "compiler/frontend/types/mapping.h"
 
@@ -7,7 +7,7 @@ namespace suture::compiler::frontend {
 
 model::Interface mapInterfaceDeclaration(const clang::CXXRecordDecl* declaration, Mapping& mapping);
 
-/// The arguments of suture::EventOf if the type is that template; null otherwise.
+/// Returns the arguments of suture::EventOf if the type is that template, else null.
 const clang::TemplateArgument* eventArguments(clang::QualType type);
 
 }  // namespace suture::compiler::frontend

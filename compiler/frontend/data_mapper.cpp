@@ -46,12 +46,12 @@ model::Enumerator mapEnumerator(const clang::EnumConstantDecl* declaration, Mapp
   return enumerator;
 }
 
-/// A data member on its way into the model.
+/// Is a data member on its way into the model.
 struct Candidate {
   const clang::FieldDecl* field;
   Annotation annotation;
-  bool isExternal;  ///< its class cannot be edited
-  bool reachable;   ///< if it is not public
+  bool isExternal;  ///< true if its class cannot be edited
+  bool reachable;   ///< true if suture::Members reaches it even if it is not public
 };
 
 void checkSkipped(const Candidate& candidate, Mapping& mapping) {
@@ -62,7 +62,8 @@ void checkSkipped(const Candidate& candidate, Mapping& mapping) {
       "keep skip(), or the others");
 }
 
-/// Where a sender does not know the member, a receiver must not make up another default for it.
+/// Reports a default that the schema cannot hold: a receiver must not make up another one if a
+/// sender does not know the member.
 void checkDefault(const Candidate& candidate, Default::State state, Mapping& mapping) {
   const std::string subject = fieldSubject(candidate.field);
   switch (state) {
@@ -108,8 +109,8 @@ bool isPacked(const clang::FieldDecl* field) {
   return field->hasAttr<clang::PackedAttr>() || given < wanted;
 }
 
-/// Says how SUTURE_EXTERNAL_TYPE leaves a field out, or each member of an anonymous union or
-/// struct.
+/// Returns what SUTURE_EXTERNAL_TYPE says to leave a field out, or each member of an anonymous
+/// union or struct.
 std::string skipsOf(const clang::FieldDecl* field) {
   if (!field->isAnonymousStructOrUnion()) {
     return ", member(" + field->getNameAsString() + ", skip())";
@@ -121,7 +122,8 @@ std::string skipsOf(const clang::FieldDecl* field) {
   return all;
 }
 
-/// Reports why a field cannot be on the wire, whatever its type. True if an error was reported.
+/// Reports why a field cannot be on the wire, whatever its type. Returns true if it reported an
+/// error.
 bool rejectField(const Candidate& candidate, Mapping& mapping) {
   const clang::FieldDecl* field = candidate.field;
   const std::string subject = fieldSubject(field);
@@ -191,7 +193,7 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   return field;
 }
 
-/// Has it SUTURE_FRIEND()?
+/// Tells if the class has SUTURE_FRIEND().
 bool hasFriend(const clang::CXXRecordDecl* record) {
   for (const clang::FriendDecl* one : record->friends()) {
     const clang::NamedDecl* name = one->getFriendDecl();
@@ -207,7 +209,8 @@ bool hasField(const clang::CXXRecordDecl* record, const std::string& name) {
   return false;
 }
 
-/// A base class is a field: the first is `base`, another `base` and its name.
+/// Adds each base class as a field: the first is called `base`, another one `base` with the name of
+/// its class.
 void addBases(model::Struct& result, const DataDeclaration& declared, Mapping& mapping) {
   const clang::NamedDecl* place = declared.place;
   for (const clang::CXXBaseSpecifier& base : declared.record->bases()) {
@@ -262,7 +265,8 @@ bool isSkippedWhole(const clang::FieldDecl* field, const std::vector<Candidate>&
   });
 }
 
-/// The members that SUTURE_EXTERNAL_TYPE means; findings about those that it lists appear there.
+/// Returns the members that SUTURE_EXTERNAL_TYPE means; findings about those that it lists appear
+/// there.
 std::vector<Candidate> externalCandidates(const DataDeclaration& declared, Mapping& mapping) {
   std::vector<Candidate> listed;
   for (const ExternalMember& member : declared.external->members) {
@@ -347,7 +351,7 @@ model::Enum mapEnumDeclaration(const EnumDeclaration& declared, Mapping& mapping
   std::set<std::int64_t> values;
   for (const clang::EnumConstantDecl* enumerator : declaration->enumerators()) {
     const bool isNew = values.insert(bitsOf(enumerator->getInitVal())).second;
-    // Nobody can drop the second name of a value from a foreign enum, and it means the same.
+    // The user cannot drop the second name of a value from a foreign enum, and it means the same.
     if (isNew || !declared.isExternal())
       result.enumerators.push_back(mapEnumerator(enumerator, mapping));
   }

@@ -1,5 +1,5 @@
 #pragma once
-// SUTURE_TYPE and SUTURE_EXTERNAL_TYPE: structs and enums.
+// This maps SUTURE_TYPE and SUTURE_EXTERNAL_TYPE: structs and enums.
 
 #include "compiler/frontend/types/data_declaration.h"
 #include "compiler/frontend/types/mapping.h"

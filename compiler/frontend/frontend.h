@@ -1,5 +1,6 @@
 #pragma once
-// Annotated headers in, model out. The rest of the compiler sees clang through this header only.
+// This takes annotated headers and returns a model. The rest of the compiler sees clang through
+// this header only.
 
 #include <memory>
 #include <set>
@@ -21,8 +22,8 @@ struct Request {
   std::set<std::string> fatalWarnings;  ///< slugs, or "all"
 };
 
-/// One run of clang over one translation unit that includes all headers of a target. It stays open
-/// until destruction, so that later stages can report with the source at hand.
+/// Is one run of clang over one translation unit that includes all headers of a target. It stays
+/// open until destruction, so that later stages can report with the source at hand.
 class Frontend {
  public:
   explicit Frontend(Request request);
@@ -30,18 +31,20 @@ class Frontend {
   Frontend(const Frontend&) = delete;
   Frontend& operator=(const Frontend&) = delete;
 
-  /// Parses and maps. False after any error; it has been printed and the model must not be used.
+  /// Parses and maps. Returns false after any error; it has been printed and the model must not be
+  /// used.
   bool run();
 
   const model::Model& model() const;
 
-  /// Prints findings to standard error in clang's form. False if an error was among them.
+  /// Prints findings to standard error in clang's form. Returns false if an error was among them.
   bool report(const model::Diagnostics& findings);
 
-  /// The headers with all fix-its applied; what a system header would need is left alone.
+  /// Returns the headers with all fix-its applied; what a system header would need is left alone.
   Fixes fixes();
 
-  /// Absolute paths of all files that were read, system headers too, without duplicates.
+  /// Returns the absolute paths of all files that were read, system headers too, without
+  /// duplicates.
   std::vector<std::string> dependencies() const;
 
  private:

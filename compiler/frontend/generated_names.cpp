@@ -11,7 +11,7 @@ namespace {
 
 std::vector<std::string> namesFor(const clang::TagDecl* declaration, Kind kind) {
   const std::string name = declaration->getNameAsString();
-  std::vector<std::string> names{"wire"};  // capnp's namespace
+  std::vector<std::string> names{"wire"};  // capnp has this namespace
   if (kind == Kind::Type) names.push_back(name + "Slot");
   if (kind == Kind::Interface) {
     names.insert(names.end(), {name + "Command", name + "Event", name + "Column"});
@@ -19,7 +19,8 @@ std::vector<std::string> namesFor(const clang::TagDecl* declaration, Kind kind) 
   return names;
 }
 
-/// A user's own declaration; what he took over from the runtime himself is the same thing.
+/// Returns a user's own declaration of the name, or null. It leaves out what a user took over from
+/// the runtime with a using-declaration, because that is the same thing.
 const clang::NamedDecl* ownDeclaration(const clang::DeclContext* space, const std::string& name,
                                        clang::ASTContext& context) {
   for (const clang::NamedDecl* found : space->lookup(&context.Idents.get(name))) {
@@ -32,7 +33,7 @@ const clang::NamedDecl* ownDeclaration(const clang::DeclContext* space, const st
 }  // namespace
 
 void checkGeneratedNames(const clang::TagDecl* declaration, Kind kind, Mapping& mapping) {
-  if (namespaceOf(declaration) == "suture") return;  // there they are the runtime's
+  if (namespaceOf(declaration) == "suture") return;  // there the names are the runtime's
   const clang::DeclContext* space = declaration->getDeclContext()->getRedeclContext();
   for (const std::string& name : namesFor(declaration, kind)) {
     const clang::NamedDecl* found = ownDeclaration(space, name, mapping.context());

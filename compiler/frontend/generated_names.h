@@ -1,5 +1,6 @@
 #pragma once
-// Names that generated code declares in the user's namespace, so that nothing else may have them.
+// These are the names that generated code declares in the user's namespace, so that nothing else
+// may have them.
 
 #include "compiler/frontend/types/mapping.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which headers of the model use declarations of which others.
+// This finds which headers of the model use declarations of which others.
 
 #include "compiler/model/model.h"
 

@@ -19,7 +19,7 @@ void prepend(const std::string& base, const std::vector<Member>& inherited,
   own = std::move(all);
 }
 
-/// Bases before what derives from them, each once.
+/// Completes bases before what derives from them, and each contract once.
 void complete(model::Interface& interface, const Interfaces& interfaces,
               std::set<std::string>& done) {
   if (!done.insert(interface.name).second || interface.base.empty()) return;

@@ -1,5 +1,5 @@
 #pragma once
-// What a contract takes over from the one it derives from.
+// This adds what a contract takes over from the one that it derives from.
 
 #include "compiler/model/model.h"
 

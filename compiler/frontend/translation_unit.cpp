@@ -21,14 +21,15 @@ namespace {
 
 constexpr unsigned kErrorLimit = 20;
 
-/// System headers too: an upgrade of Eigen must be noticed.
+/// Includes system headers, because an upgrade of Eigen must be noticed.
 class AllDependencies : public clang::DependencyCollector {
   bool needSystemDependencies() override { return true; }
 };
 
 /// Reads no function's body but those of default constructors, which say what members are by
-/// default. SUTURE_EXTERNAL_TYPE may name any class later, of which only an empty body is read, and
-/// none of a component: it may use what is still to be generated.
+/// default. SUTURE_EXTERNAL_TYPE may name any class later, so of a class without annotation an
+/// empty body is read too. It reads none of a component, which may use what is still to be
+/// generated.
 class Consumer : public clang::ASTConsumer {
   bool shouldSkipFunctionBody(clang::Decl* declaration) override {
     const auto* constructor =
@@ -45,7 +46,8 @@ class Consumer : public clang::ASTConsumer {
     });
   }
 
-  /// These two are large, and hold nothing that anybody names.
+  /// Tells if the class is of one of these two libraries. They are large, and hold nothing that
+  /// SUTURE_EXTERNAL_TYPE names.
   static bool isOfLibrary(const clang::CXXConstructorDecl* constructor) {
     const std::string name = qualifiedName(constructor->getParent());
     return name.starts_with("std::") || name.starts_with("Eigen::");
@@ -116,7 +118,7 @@ bool TranslationUnit::configure() {
   fixes_.forwardTo(
       std::make_unique<clang::TextDiagnosticPrinter>(messages_, &compiler_.getDiagnosticOpts()));
   compiler_.createDiagnostics(&fixes_, /*ShouldOwnClient=*/false);
-  // The user's compiler warns about the user's code; here only errors count.
+  // Only errors count here, because the user's compiler warns about the user's code.
   compiler_.getDiagnostics().setIgnoreAllWarnings(true);
   compiler_.createFileManager(files);
   compiler_.createSourceManager(compiler_.getFileManager());
@@ -143,7 +145,7 @@ std::vector<std::string> TranslationUnit::dependencies() const {
   std::set<std::string> paths;
   for (const std::string& file : dependencies_->getDependencies()) {
     if (file == name_ || llvm::StringRef(file).ends_with(kGeneratedSuffix)) continue;
-    // Do not merely drop "..": clang reaches its headers through symbolic links.
+    // Do not merely drop "..", because clang reaches its headers through symbolic links.
     llvm::SmallString<256> path;
     if (llvm::sys::fs::real_path(file, path)) continue;
     paths.insert(path.str().str());

@@ -1,5 +1,5 @@
 #pragma once
-// One run of clang, kept open so that its tree and sources can be consulted.
+// This is one run of clang, kept open so that its tree and sources can be consulted.
 
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/FrontendAction.h>
@@ -21,12 +21,12 @@ class TranslationUnit {
   explicit TranslationUnit(const Request& request);
   ~TranslationUnit();
 
-  /// False after any error; clang has printed it.
+  /// Returns false after any error, which clang has printed.
   bool parse();
 
   clang::CompilerInstance& compiler() { return compiler_; }
 
-  /// Where the unit uses the vocabulary.
+  /// Returns where the unit uses the vocabulary.
   AnnotationUses& annotationUses() { return annotationUses_; }
 
   const Includes& includes() const { return includes_; }
@@ -34,7 +34,7 @@ class TranslationUnit {
   FixCollector& fixCollector() { return fixes_; }
   Fixes fixes() { return fixes_.apply(compiler_.getSourceManager(), compiler_.getLangOpts()); }
 
-  /// Absolute paths of what was read.
+  /// Returns the absolute paths of what was read.
   std::vector<std::string> dependencies() const;
 
  private:

@@ -54,14 +54,14 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     return true;
   }
 
-  /// Maps what was found. Only now are all names of types known.
+  /// Maps what was found, because only now all names of types are known.
   void finish() {
     for (const std::function<void()>& one : later_) one();
   }
 
  private:
-  /// One header becomes one schema with one namespace: that of its first contract or component,
-  /// else of its first type, else of the first that it names.
+  /// Notes the namespace of a header, which has one because it becomes one schema: that of its
+  /// first contract or component, else of its first type, else of the first type that it names.
   void noteHome(const clang::NamedDecl* declaration, Kind kind) {
     const bool names = kind == Kind::External;
     const bool isType = kind == Kind::Type;
@@ -133,7 +133,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
       case Kind::Type:
       case Kind::Interface:
       case Kind::Component: return visitTag(declaration, kind);
-      case Kind::External: return;  // its name was all there is to it
+      case Kind::External: return;  // its name says all that there is to it
       case Kind::Command:
         if (parentIs(declaration, Kind::Interface) &&
             llvm::isa<clang::CXXMethodDecl>(declaration)) {
@@ -205,7 +205,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     }
   }
 
-  /// Generated code must be able to name the type from outside and to tell it from others.
+  /// Reports a type that generated code cannot name from outside or tell from others.
   bool hasHome(clang::TagDecl* tag) {
     const std::string name = "'" + plainName(tag) + "'";
     if (plainName(tag).empty()) {
@@ -229,7 +229,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     return false;
   }
 
-  /// Whether it is a template, or within one.
+  /// Tells if the type is a template, or within one.
   static bool isOfTemplate(const clang::TagDecl* tag) {
     if (tag->isDependentType() || llvm::isa<clang::ClassTemplateSpecializationDecl>(tag))
       return true;

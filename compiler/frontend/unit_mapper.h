@@ -1,5 +1,5 @@
 #pragma once
-// From the tree of a whole translation unit to the model.
+// This leads from the tree of a whole translation unit to the model.
 
 #include <clang/Sema/Sema.h>
 
@@ -10,7 +10,7 @@
 namespace suture::compiler::frontend {
 
 /// Maps every annotated declaration, own and foreign. Each either enters the model or is an error.
-/// `semantics` completes instances of templates that nobody has used yet.
+/// `semantics` completes instances of templates that are not used yet.
 model::Model mapUnit(clang::Sema& semantics, const Includes& includes, HeaderTable& headers,
                      SourceTable& table, AnnotationUses& uses, model::Diagnostics& findings);
 

@@ -16,7 +16,7 @@ std::string spelledPlainly(clang::QualType type) {
   return type.getAsString(clang::PrintingPolicy(language));
 }
 
-/// Is the argument an instance of the template `name`, which is its default?
+/// Tells if the argument is an instance of the template `name`, which is its default.
 bool isDefault(const Specialisation* type, unsigned index, const char* name) {
   const auto* record = typeArgument(type, index)->getAsCXXRecordDecl();
   return record && qualifiedName(record) == name;
@@ -31,7 +31,7 @@ std::string templateName(const Specialisation* type) {
   return qualifiedName(type->getSpecializedTemplate());
 }
 
-/// "std::map<std::string, double>".
+/// Returns the name with its elements only: "std::map<std::string, double>".
 std::string spellingOf(const Specialisation* type, const model::Type& mapped) {
   std::string arguments;
   for (const model::Type& element : mapped.element) {
@@ -55,7 +55,7 @@ model::Type ofShape(Shape shape) {
   return type;
 }
 
-/// Receivers look keys up, so equal must mean equal.
+/// Tells if the type can be a key: receivers look keys up, so equal must mean equal.
 bool isKey(const model::Type& type) {
   const bool real = type.scalar == model::Scalar::Float32 || type.scalar == model::Scalar::Float64;
   return type.shape == Shape::Text || type.shape == Shape::Enum ||

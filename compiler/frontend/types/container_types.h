@@ -1,5 +1,5 @@
 #pragma once
-// The standard library's containers and sums that have a natural wire form.
+// These map the standard library's containers and sums that have a natural wire form.
 
 #include <clang/AST/DeclTemplate.h>
 
@@ -9,14 +9,15 @@ namespace suture::compiler::frontend {
 
 using Specialisation = clang::ClassTemplateSpecializationDecl;
 
-/// The type of that argument of an instance, canonical.
+/// Returns the type of that argument of an instance, canonical.
 clang::QualType typeArgument(const Specialisation* type, unsigned index);
 
-/// Maps an element and appends it to `outer`. A problem of it, its reason completed, is returned.
+/// Maps an element and appends it to `outer`. If the element has a problem, it completes the reason
+/// and returns that.
 std::optional<TypeProblem> addElement(model::Type& outer, clang::QualType element,
                                       const NamedTypes& names);
 
-/// An array of either kind; `spelling` is completed by its caller.
+/// Maps an array of either kind; its caller completes `spelling`.
 MappedType mapFixedArray(clang::QualType element, std::uint64_t length, const NamedTypes& names);
 
 MappedType mapString(const Specialisation* type, const NamedTypes& names);

@@ -1,5 +1,5 @@
 #pragma once
-// A struct on its way into the model.
+// These are a struct and an enum on their way into the model.
 
 #include <clang/AST/DeclCXX.h>
 
@@ -11,20 +11,21 @@
 
 namespace suture::compiler::frontend {
 
-/// A struct that enters the model: one that is annotated itself, an instance of a template by its
-/// alias, or somebody else's.
+/// Is a struct that enters the model: one that is annotated itself, an instance of a template by
+/// its alias, or a foreign one that SUTURE_EXTERNAL_TYPE names.
 struct DataDeclaration {
   const clang::CXXRecordDecl* record;  ///< what it is made of
   const clang::NamedDecl* place;       ///< what gives it its name and home: errors stand there
   std::string name;                    ///< qualified
   std::string wireName;
-  /// Of a type that cannot be edited: what SUTURE_EXTERNAL_TYPE says. Absent of any other.
+  /// Is what SUTURE_EXTERNAL_TYPE says of a type that cannot be edited; it is absent if the type
+  /// can be.
   std::optional<Annotation> external;
   std::optional<std::string> was{};
   model::Lifecycle lifecycle{};
 };
 
-/// An enum that enters the model, in the same way.
+/// Is an enum that enters the model in the same way.
 struct EnumDeclaration {
   const clang::EnumDecl* declaration;
   const clang::NamedDecl* place;

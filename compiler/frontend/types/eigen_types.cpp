@@ -11,7 +11,7 @@ using Shape = model::Type::Shape;
 
 using Specialisation = clang::ClassTemplateSpecializationDecl;
 
-// Eigen's own constants, part of its stable interface.
+// These are Eigen's own constants, which are part of its stable interface.
 constexpr std::int64_t kRowMajorBit = 1;
 constexpr std::int64_t kIsometryMode = 1;
 constexpr std::int64_t kAffineMode = 2;
@@ -32,7 +32,7 @@ MappedType scalarOf(const Specialisation* type) {
   return mapBuiltin(builtin);
 }
 
-// Eigen::Vector3d for what has such a name, else the template written out.
+// Returns a name such as Eigen::Vector3d if the type has one, else the template written out.
 std::string spellingOf(const model::Type& matrix, const std::string& scalar) {
   const std::string letter = scalar == "double"         ? "d"
                              : scalar == "float"        ? "f"
@@ -49,7 +49,7 @@ std::string spellingOf(const model::Type& matrix, const std::string& scalar) {
          std::to_string(matrix.columns) + ">";
 }
 
-/// Eigen::VectorXd for what has such a name, else the template written out.
+/// Returns a name such as Eigen::VectorXd if the type has one, else the template written out.
 std::string spellingOf(const Specialisation* type, const std::string& scalar) {
   const auto extent = [type](unsigned index) {
     const std::int64_t value = number(type, index);
@@ -69,13 +69,13 @@ std::string spellingOf(const Specialisation* type, const std::string& scalar) {
   return text + ">";
 }
 
-/// The bound that the type itself has.
+/// Returns the bound that the type itself has, or none.
 std::optional<unsigned> boundOf(const Specialisation* type, unsigned index) {
   const std::int64_t most = number(type, index);
   return most == kDynamic ? std::nullopt : std::optional(static_cast<unsigned>(most));
 }
 
-/// An Eigen type some extent of which is known at run time only. A vector is a list of its
+/// Maps an Eigen type some extent of which is known at run time only. A vector is a list of its
 /// coefficients, a matrix of so many rows a list of its columns.
 MappedType mapDynamic(const Specialisation* type, const model::Type& scalar) {
   const std::int64_t rows = number(type, 1), columns = number(type, 2);

@@ -1,5 +1,5 @@
 #pragma once
-// Eigen's fixed-size types.
+// These map Eigen's matrices, quaternions and transforms.
 
 #include <clang/AST/DeclTemplate.h>
 

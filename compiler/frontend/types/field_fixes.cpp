@@ -10,7 +10,7 @@ using clang::SourceLocation;
 using clang::SourceRange;
 using Place = model::Fix::Place;
 
-/// The text of one field, declared alone and without a macro.
+/// Is the text of one field, which is declared alone and without a macro.
 class FieldText {
  public:
   FieldText(const clang::FieldDecl* field, Mapping& mapping)
@@ -31,7 +31,7 @@ class FieldText {
     return !macro && field->getBeginLoc() != field->getLocation();
   }
 
-  /// Replaces the first word of that spelling by `text`.
+  /// Replaces the first word with that spelling by `text`.
   std::vector<model::Fix> replaceWord(llvm::StringRef word, std::string text) {
     for (const SourceLocation token : tokens_) {
       if (clang::Lexer::getSpelling(token, buffer_, sources_, language()) == word) {
@@ -75,7 +75,7 @@ class FieldText {
   const clang::FieldDecl* field_;
   Mapping& mapping_;
   const clang::SourceManager& sources_;
-  std::vector<SourceLocation> tokens_;  // up to the name
+  std::vector<SourceLocation> tokens_;  // those before the name
   llvm::SmallString<32> buffer_;
 };
 

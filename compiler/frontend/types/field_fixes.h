@@ -1,5 +1,5 @@
 #pragma once
-// What `suturec --fix` may do about a member of which the type cannot go over a wire.
+// This says what `suturec --fix` may do about a member whose type cannot go over a wire.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace suture::compiler::frontend {
 
-/// None where a person has to decide.
+/// Returns the changes, or none if a person has to decide.
 std::vector<model::Fix> fixesFor(const clang::NamedDecl* declaration, const TypeProblem& problem,
                                  Mapping& mapping);
 

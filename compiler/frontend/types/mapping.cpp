@@ -119,7 +119,7 @@ std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
     finding.fixes = fixesFor(declaration, *problem, *this);
     return std::nullopt;
   }
-  // An event's values have lost the names they were written with: std::int64_t is long here.
+  // An event's values have lost the names that they were written with: std::int64_t is long here.
   const bool unnamed = foreign || isAnnotated(declaration, Kind::Event);
   const std::string integer = unnamed ? "" : platformInteger(type);
   if (!integer.empty()) {

@@ -1,6 +1,6 @@
 #pragma once
-// What all mappers of declarations share: where findings go and how parts of a declaration are
-// read.
+// All mappers of declarations share this: it says where findings go and how parts of a declaration
+// are read.
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclCXX.h>
@@ -32,8 +32,8 @@ class Mapping {
 
   model::Source sourceOf(const clang::NamedDecl* declaration);
 
-  /// Findings about this declaration, which the user cannot edit, appear at `place` from now on.
-  /// They say that `wantedBy` means it, if that is not null.
+  /// Lets findings about this declaration, which the user cannot edit, appear at `place` from now
+  /// on. They say that `wantedBy` means it, if that is not null.
   void addForeign(const clang::NamedDecl* declaration, clang::SourceLocation place,
                   const clang::NamedDecl* wantedBy) {
     foreign_[declaration] = {sources().getFileLoc(place), wantedBy};
@@ -43,44 +43,45 @@ class Mapping {
   }
   model::Documentation documentationOf(const clang::Decl* declaration) const;
 
-  /// Appends a finding at the declaration's name; the result takes notes.
+  /// Appends an error at the declaration's name, and returns it so that the caller can add notes.
   model::Diagnostic& error(const clang::NamedDecl* declaration, std::string slug,
                            std::string message, std::string help);
 
-  /// The same, at a place that is no declaration.
+  /// Appends an error at a place that is no declaration.
   model::Diagnostic& errorAt(clang::SourceLocation place, std::string slug, std::string message,
                              std::string help);
-  /// The same, but only a warning.
+  /// Appends a warning at the declaration's name.
   model::Diagnostic& warn(const clang::NamedDecl* declaration, std::string slug,
                           std::string message, std::string help);
 
-  /// A stretch of text, for fixes.
+  /// Returns a stretch of text, for fixes.
   model::Source sourceOf(clang::SourceRange range);
 
-  /// A change of the text in the range, for a finding about it.
+  /// Returns a change of the text in the range, for a finding about it.
   model::Fix fix(clang::SourceRange range, model::Fix::Place place, std::string text);
 
-  /// The annotation of that kind, its problems reported.
+  /// Returns the annotation of that kind, and reports its problems.
   Annotation annotationOf(const clang::NamedDecl* declaration, Kind kind);
 
-  /// One annotation for each time that the macro stands there.
+  /// Returns one annotation for each time that the macro stands there, and reports their problems.
   std::vector<Annotation> annotationsOf(const clang::NamedDecl* declaration, Kind kind);
 
-  /// The same, its problems left to a later annotationOf().
+  /// Returns the annotation of that kind, and leaves its problems to a later annotationOf().
   static Annotation peek(const clang::NamedDecl* declaration, Kind kind) {
     std::vector<AnnotationProblem> ignored;
     return readAnnotation(declaration, kind, ignored);
   }
 
-  /// A type held by value with its bounds; none after an error at the declaration. `subject` begins
-  /// the message: "field 'p'".
+  /// Returns a type held by value with its bounds, or none after an error at the declaration.
+  /// `subject` begins the message: "field 'p'".
   std::optional<model::Type> typeOf(const clang::NamedDecl* declaration, clang::QualType type,
                                     const std::string& subject, const Annotation& field);
 
-  /// Aliases of template instances and external types; filled before anything is mapped.
+  /// Returns the aliases of template instances and the external types, which are all there before
+  /// anything is mapped.
   NamedTypes& names() { return names_; }
 
-  /// True when asked of the declaration for the first time.
+  /// Returns true if it is asked of the declaration for the first time.
   bool once(const clang::NamedDecl* declaration) { return seen_.insert(declaration).second; }
 
   clang::ASTContext& context() { return context_; }

@@ -1,6 +1,7 @@
 #pragma once
-// Types whose name on the wire is not said where they are declared: instances of an annotated
-// template, which an alias names, and the types of others, which SUTURE_EXTERNAL_TYPE names.
+// This holds types whose name on the wire is not said where they are declared: instances of an
+// annotated template, which an alias names, and the types of others, which SUTURE_EXTERNAL_TYPE
+// names.
 
 #include <clang/AST/DeclCXX.h>
 #include <clang/Sema/Sema.h>
@@ -24,7 +25,7 @@ class NamedTypes {
   }
   bool isForeign() const { return isForeign_; }
 
-  /// Instantiates what clang has not needed yet.
+  /// Returns clang's semantics, which instantiates what clang has not needed yet.
   clang::Sema& semantics() const { return semantics_; }
 
   struct Entry {
@@ -32,13 +33,13 @@ class NamedTypes {
     const clang::NamedDecl* declaration = nullptr;
   };
 
-  /// Null if the type has its own name or none.
+  /// Returns the entry of a type, or null if the type has its own name or none.
   const Entry* find(const clang::TagDecl* type) const {
     const auto found = entries_->find(type->getCanonicalDecl());
     return found == entries_->end() ? nullptr : &found->second;
   }
 
-  /// The entry that is there already, else the new one.
+  /// Adds the entry unless the type has one already. Returns the one that it has then.
   const Entry& add(const clang::TagDecl* type, const Entry& entry) {
     return entries_->try_emplace(type->getCanonicalDecl(), entry).first->second;
   }

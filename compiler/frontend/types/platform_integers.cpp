@@ -19,7 +19,7 @@ Name nameOf(llvm::StringRef alias) {
 std::string argumentOf(const clang::TemplateSpecializationType* instance) {
   const clang::TemplateDecl* pattern = instance->getTemplateName().getAsTemplateDecl();
   if (pattern && (pattern->getName() == "duration" || pattern->getName() == "time_point")) {
-    return "";  // the wire carries nanoseconds, whatever counts them
+    return "";  // the wire carries nanoseconds, whatever type counts them
   }
   for (const clang::TemplateArgument& argument : instance->template_arguments()) {
     if (argument.getKind() != clang::TemplateArgument::Type) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Integers of which the width is the platform's choice, as the user wrote them: `long` and
+// This finds integers whose width the platform chooses, as the user wrote them: `long` and
 // std::int64_t are one canonical type here, but not everywhere.
 
 #include <clang/AST/Type.h>
@@ -8,7 +8,8 @@
 
 namespace suture::compiler::frontend {
 
-/// "std::size_t": the first such integer in the type as written; "" if there is none.
+/// Returns the first such integer in the type as written, such as "std::size_t"; "" if there is
+/// none.
 std::string platformInteger(clang::QualType type);
 
 }  // namespace suture::compiler::frontend

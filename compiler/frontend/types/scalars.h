@@ -1,5 +1,5 @@
 #pragma once
-// Builtin types: which of them have a portable wire form.
+// These say which builtin types have a portable wire form.
 
 #include <clang/AST/Type.h>
 
@@ -7,10 +7,11 @@
 
 namespace suture::compiler::frontend {
 
-/// The canonical builtin decides, so that `long` and std::int64_t are one type.
+/// Maps the canonical builtin, so that `long` and std::int64_t are one type.
 MappedType mapBuiltin(const clang::BuiltinType* type);
 
-/// The same in a struct that cannot be edited, where each integer is carried as one of its size.
+/// Maps a builtin in a struct that cannot be edited, where a char and a long long are carried as
+/// the integers of their size.
 MappedType mapForeignBuiltin(const clang::BuiltinType* type);
 
 }  // namespace suture::compiler::frontend

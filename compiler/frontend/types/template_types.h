@@ -1,5 +1,5 @@
 #pragma once
-// The class templates that have a natural wire form: the standard library's and Eigen's.
+// This maps the class templates that have a natural wire form: the standard library's and Eigen's.
 
 #include <clang/AST/DeclTemplate.h>
 

@@ -25,7 +25,7 @@ std::optional<Ratio> ratioOf(const clang::TemplateArgument& argument) {
                type->getTemplateArgs()[1].getAsIntegral().getSExtValue()};
 }
 
-// The library's own name for common durations: what a reader of generated code expects.
+// Returns the library's own name for common durations, which a reader of generated code expects.
 std::string spellingOf(const model::Type& rep, Ratio period) {
   if (rep.spelling == "std::int64_t") {
     if (period == kNano) return "std::chrono::nanoseconds";

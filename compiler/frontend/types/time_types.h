@@ -1,5 +1,5 @@
 #pragma once
-// Durations and stamps.
+// These map durations and stamps.
 
 #include <clang/AST/DeclTemplate.h>
 

@@ -57,7 +57,7 @@ model::Type structNamed(const std::string& name) {
   return type;
 }
 
-/// A class that is neither annotated nor named elsewhere.
+/// Returns the problem of a class that is neither annotated nor named elsewhere.
 MappedType mapUnannotated(const clang::CXXRecordDecl* declaration) {
   const std::string name = qualifiedName(declaration);
   if (llvm::StringRef(name).starts_with("std::")) return noWireForm();
@@ -88,7 +88,8 @@ MappedType mapRecord(const clang::CXXRecordDecl* declaration, const NamedTypes& 
   return structNamed(qualifiedName(declaration));
 }
 
-/// "double[3]"; of an array of arrays the outer extent comes first.
+/// Maps a C array and spells it "double[3]"; in the spelling of an array of arrays the outer extent
+/// comes first.
 MappedType mapCArray(const clang::ConstantArrayType* type, const NamedTypes& names) {
   const std::uint64_t length = type->getSize().getZExtValue();
   MappedType mapped = mapFixedArray(type->getElementType(), length, names);
@@ -155,7 +156,7 @@ void handOut(model::Type& type, const std::vector<unsigned>& bounds, std::size_t
   const auto give = [&](std::optional<unsigned>& capacity) {
     if (capacity || next == bounds.size()) return;
     const unsigned bound = bounds[next++];
-    if (bound != 0) capacity = bound;  // zero: this level has none
+    if (bound != 0) capacity = bound;  // zero says that this level has none
   };
   const bool matrix = type.shape == Shape::AnyMatrix;
   const bool sized =
@@ -165,7 +166,7 @@ void handOut(model::Type& type, const std::vector<unsigned>& bounds, std::size_t
   for (model::Type& element : type.element) handOut(element, bounds, next);
 }
 
-/// What a container holds; null of anything else.
+/// Returns what a container holds, or null if the type is none.
 const model::Type* contentOf(const model::Type& type) {
   switch (type.shape) {
     case Shape::Array:

@@ -10,8 +10,8 @@ namespace {
 
 using Specialisation = clang::ClassTemplateSpecializationDecl;
 
-/// An instance of a template that is annotated, or a specialisation that is; null of any other
-/// type.
+/// Returns the class if it is an instance of a template that is annotated, or an annotated
+/// specialisation; null if it is neither.
 const Specialisation* annotatedInstance(clang::QualType type) {
   const auto* instance =
       llvm::dyn_cast_or_null<Specialisation>(type.getCanonicalType()->getAsCXXRecordDecl());
@@ -21,14 +21,15 @@ const Specialisation* annotatedInstance(clang::QualType type) {
   return annotated ? instance : nullptr;
 }
 
-/// What the user called the type: an alias, or the type itself; null of an instance of a template.
+/// Returns what the user called the type: an alias, or the type itself. Returns null if that is an
+/// instance of a template.
 const clang::NamedDecl* writtenName(clang::QualType type) {
   if (const auto* alias = type->getAs<clang::TypedefType>()) return alias->getDecl();
   const clang::TagDecl* tag = type->getAsTagDecl();
   return llvm::isa_and_nonnull<Specialisation>(tag) ? nullptr : tag;
 }
 
-/// How SUTURE_EXTERNAL_TYPE names its type.
+/// Returns the alias by which SUTURE_EXTERNAL_TYPE names its type.
 const clang::TypedefNameDecl* externalAlias(const clang::CXXMethodDecl* members) {
   for (const clang::Decl* one : members->getParent()->decls()) {
     if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(one)) return alias;
@@ -86,7 +87,7 @@ TypeNames::External TypeNames::addExternal(const clang::CXXMethodDecl* members) 
     return DataDeclaration{record->getDefinition(), members, known, onWire, std::move(annotation)};
   }
   auto* enumeration = llvm::cast<clang::EnumDecl>(type->getAsTagDecl());
-  // An enum within an instance of a template is defined only when somebody asks for it.
+  // Clang defines an enum within an instance of a template only when it is asked for it.
   if (semantics_.RequireCompleteEnumDecl(enumeration, members->getLocation())) return {};
   return EnumDeclaration{enumeration->getDefinition(), members, known, onWire};
 }
@@ -101,7 +102,7 @@ bool TypeNames::checkVisible(const clang::TagDecl* type, const clang::NamedDecl*
 bool TypeNames::add(const clang::TagDecl* type, const NamedTypes::Entry& added, bool isAlias) {
   const NamedTypes::Entry& entry = mapping_.names().add(type, added);
   if (entry.declaration == added.declaration) return true;
-  if (isAlias && entry.name == added.name) return false;  // the same alias, declared once more
+  if (isAlias && entry.name == added.name) return false;  // it is the same alias again
   mapping_
       .error(added.declaration, "second-name",
              "'" + added.name + "' is another name of what is '" + entry.name + "' already",

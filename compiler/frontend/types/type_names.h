@@ -1,5 +1,6 @@
 #pragma once
-// Finds out which types are named by an alias or by SUTURE_EXTERNAL_TYPE, before any is mapped.
+// This finds out which types are named by an alias or by SUTURE_EXTERNAL_TYPE, before any is
+// mapped.
 
 #include <clang/Sema/Sema.h>
 
@@ -15,17 +16,18 @@ class TypeNames {
  public:
   TypeNames(Mapping& mapping, clang::Sema& semantics) : mapping_(mapping), semantics_(semantics) {}
 
-  /// The name of a namespace-scope alias for an instance of an annotated template; none otherwise.
+  /// Notes the name that a namespace-scope alias gives an instance of an annotated template.
+  /// Returns none if the alias is no such, or after an error.
   std::optional<DataDeclaration> addAlias(const clang::TypedefNameDecl* alias);
 
-  /// What SUTURE_EXTERNAL_TYPE names; nothing after an error.
+  /// Is what SUTURE_EXTERNAL_TYPE names, or nothing after an error.
   using External = std::variant<std::monostate, DataDeclaration, EnumDeclaration>;
   External addExternal(const clang::CXXMethodDecl* members);
 
  private:
-  /// False after an error: generated code cannot name the type.
+  /// Reports a type that generated code cannot name, and then returns false.
   bool checkVisible(const clang::TagDecl* type, const clang::NamedDecl* place);
-  /// False after an error: the type has a name already.
+  /// Notes the name of a type. Returns false if the type has one already, and reports another one.
   bool add(const clang::TagDecl* type, const NamedTypes::Entry& entry, bool isAlias);
 
   Mapping& mapping_;

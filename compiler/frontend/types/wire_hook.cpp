@@ -17,8 +17,8 @@ Declaration* findIn(const clang::DeclContext* scope, llvm::StringRef name) {
   return nullptr;
 }
 
-/// The specialisation of suture::Wire for the type, which may be a partial one; null if there is
-/// none.
+/// Returns the specialisation of suture::Wire for the type, which may be a partial one; null if
+/// there is none.
 const Specialisation* hookOf(const clang::CXXRecordDecl* type, clang::Sema& semantics) {
   clang::ASTContext& context = semantics.getASTContext();
   auto* space = findIn<clang::NamespaceDecl>(context.getTranslationUnitDecl(), "suture");

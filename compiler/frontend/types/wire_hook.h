@@ -1,5 +1,5 @@
 #pragma once
-// suture::Wire<T>: what a type that suturec cannot look into travels as.
+// suture::Wire<T> says what a type that suturec cannot look into travels as.
 
 #include <clang/AST/DeclCXX.h>
 
@@ -9,7 +9,7 @@
 
 namespace suture::compiler::frontend {
 
-/// The wire view of a type by its suture::Wire; none if that is not specialised for it.
+/// Returns the wire view of a type by its suture::Wire; none if that is not specialised for it.
 std::optional<MappedType> mapByHook(const clang::CXXRecordDecl* type, const NamedTypes& names);
 
 }  // namespace suture::compiler::frontend
