@@ -45,7 +45,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
       return true;
     }
     for (const Kind kind : kinds) {
-      if (kind == Kind::Field && kinds.size() > 1) continue;  // rides on a command or event
+      if (kind == Kind::Field && kinds.size() > 1) continue;  // it rides on a command or event
       noteHome(declaration, kind);
       later_.push_back([=, this] { visit(declaration, kind); });
       if (kind == Kind::External) nameExternal(declaration);

@@ -11,7 +11,7 @@ namespace suture::compiler::lock {
 
 /// Says what peers of the two versions meet.
 enum class Effect {
-  None,      ///< nothing: they understand each other
+  None,      ///< they understand each other
   Refusals,  ///< they understand each other, and refuse some values
   Break      ///< they misread or miss something
 };

@@ -11,8 +11,8 @@
 namespace suture::compiler::lock {
 
 struct Verdicts {
-  model::Diagnostics breaks;   ///< would change the meaning of bytes that already have one
-  model::Diagnostics pending;  ///< allowed, but the lock has to be written first
+  model::Diagnostics breaks;   ///< they would change what bytes mean that have a meaning already
+  model::Diagnostics pending;  ///< they are allowed, but the lock has to be written first
   model::Diagnostics stale;    ///< warnings: the lock does not know it, and the wire does not care
   std::set<std::string> broken;  ///< names of the nodes that have a break
 };

@@ -15,7 +15,7 @@ struct KindInfo {
   Kind kind;
   std::string_view tag;        // in the clang::annotate attribute
   std::string_view macro;      // as the user wrote it
-  std::string_view arguments;  // that it takes, for messages and checks
+  std::string_view arguments;  // those that it takes, for messages and checks
 };
 
 constexpr std::array kKinds{

@@ -37,12 +37,12 @@ struct Member {
   unsigned ordinal = 0;
   /// Is the type of a field or parameter; one of another file reads "/arm/arm.capnp:PoseStamped".
   std::string type;
-  std::string defaultValue;  ///< a field's, as capnp spells it; "" = zero
+  std::string defaultValue;  ///< of a field, as capnp spells it; "" is zero
   bool isMethod = false;
-  std::vector<Member> parameters;  ///< a method's
-  std::vector<Member> results;     ///< a method's
+  std::vector<Member> parameters;  ///< of a method
+  std::vector<Member> results;     ///< of a method
   Annotations annotations;
-  std::string doc;    ///< written as a comment, never read back
+  std::string doc;    ///< it is written as a comment and never read back
   unsigned line = 0;  ///< in the lock file
 
   bool removed() const { return annotations.contains("removed"); }

@@ -16,7 +16,7 @@ namespace suture::compiler::lock {
 namespace {
 
 constexpr std::string_view kMeta = "Meta.";
-constexpr unsigned kDeepestType = 64;             // as deep as capnp's readers follow
+constexpr unsigned kDeepestType = 64;             // capnp's readers follow no deeper
 constexpr std::uint64_t kLargestOrdinal = 65534;  // capnp counts in 16 bits
 
 class Parser {
