@@ -12,6 +12,7 @@ class Walk {
     if (lock == locks_.end()) return;
     for (const Node& node : lock->second.nodes) {
       if (node.name != name || !seen_.insert(path + ":" + name).second) continue;
+      for (const std::string& base : node.extends) visitType(path, base);
       for (const Member& member : node.members) visit(path, member);
     }
   }
@@ -22,8 +23,12 @@ class Walk {
   void visit(const std::string& path, const Member& member) {
     for (const Member& parameter : member.parameters) visit(path, parameter);
     for (const Member& result : member.results) visit(path, result);
-    const std::size_t inner = member.type.rfind('(') + 1;  // it is 0 if there is no list
-    const std::string leaf = member.type.substr(inner, member.type.find(')') - inner);
+    visitType(path, member.type);
+  }
+
+  void visitType(const std::string& path, const std::string& type) {
+    const std::size_t inner = type.rfind('(') + 1;  // it is 0 if there is no list
+    const std::string leaf = type.substr(inner, type.find(')') - inner);
     const std::size_t colon = leaf.find(':');
     if (leaf.starts_with('/') && colon != std::string::npos) {
       visit(leaf.substr(1, colon - 1), leaf.substr(colon + 1));

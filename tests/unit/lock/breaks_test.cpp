@@ -84,6 +84,22 @@ TEST_F(BreakTest, OtherContractsKeepTheirMajorVersion) {
   EXPECT_EQ(majorOf(after, "robots::Other"), 1u);
 }
 
+// Its rows have the base's reads, so only what a command takes tells if the base is followed.
+TEST_F(BreakTest, ADerivedContractIsRaisedWithItsBase) {
+  const model::Struct wish = sample::structure(
+      "robots::Wish", {sample::field("speed", sample::scalar(model::Scalar::Float64))});
+  model::Header& header = sample::armHeader(model_);
+  header.structs.push_back(wish);
+  header.interfaces[0].commands.push_back(
+      sample::write("wish", "value", sample::record("robots::Wish")));
+  const Locks both = accept(before_);
+  const unsigned base = majorOf(both, "robots::Arm"), derived = majorOf(both, "robots::Gripper");
+  header.structs.back().fields[0].type = sample::scalar(model::Scalar::Float32);
+  const Locks after = accept(both);
+  EXPECT_EQ(majorOf(after, "robots::Arm"), base + 1);
+  EXPECT_EQ(majorOf(after, "robots::Gripper"), derived + 1);
+}
+
 TEST_F(BreakTest, PeersOfTwoMajorsHaveTwoHashes) {
   const std::string before = hash(before_);
   speed().unit = "mm/s";
