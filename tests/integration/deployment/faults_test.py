@@ -1,27 +1,19 @@
 """A process whose task faults is restarted within the budget, then parked in its safe state, with dumps of each fault."""
 
 import json
-import pathlib
-import subprocess
-import sys
-import tempfile
-import time
 import unittest
 
-PROGRAM, LIBRARY = sys.argv.pop(1), sys.argv.pop(1)
+from stations import Stations, component
 
 
-class Faults(unittest.TestCase):
+class Faults(Stations):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        super().setUp()
         self.brake = self.folder / "brake"
         self.key = self.folder / "key"
 
-    def start(self, restart, black_box=None, locked=False):
-        spindle = {"name": "Spindle", "class": "Spindle", "library": LIBRARY,
-                   "parameters": {"cycles": 50, "brake": str(self.brake)}}
+    def robot(self, restart, black_box=None, locked=False):
+        spindle = component("Spindle", "Spindle", cycles=50, brake=str(self.brake))
         if locked:
             spindle["parameters"]["key"] = str(self.key)
         if restart:
@@ -29,18 +21,7 @@ class Faults(unittest.TestCase):
         process = {"name": "robot", "components": [spindle]}
         if black_box:
             process["black_box"] = black_box
-        file = self.folder / "d.json"
-        file.write_text(json.dumps({"processes": [process]}))
-        station = subprocess.Popen(
-            [PROGRAM, "--deployment", file, "--report-fd", "-", "--report-interval", "0.05"],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-
-        def end():
-            station.kill()
-            station.communicate()
-
-        self.addCleanup(end)
-        return station
+        return self.workstation({"processes": [process]}, "--report-fd", "-", "--report-interval", "0.05")
 
     def await_message(self, station, fits):
         for line in station.stdout:
@@ -52,12 +33,6 @@ class Faults(unittest.TestCase):
     def await_failure(self, station):
         return self.await_message(station, lambda message: message["kind"] == "failure")["text"]
 
-    def await_file(self, folder, pattern):
-        deadline = time.monotonic() + 60
-        while not any(folder.glob(pattern)):
-            self.assertLess(time.monotonic(), deadline, f"no {pattern}")
-            time.sleep(0.01)
-
     def end(self, station):
         """Returns exit status and what was told."""
         station.terminate()
@@ -67,11 +42,11 @@ class Faults(unittest.TestCase):
     def test_restarts_end_with_the_budget(self):
         dumps = self.folder / "faults"
         dumps.mkdir()
-        station = self.start({"most": 2, "per": "1000s"}, {"folder": "faults", "rows": 4096}, locked=True)
+        station = self.robot({"most": 2, "per": "1000s"}, {"folder": "faults", "rows": 4096}, locked=True)
         # The next fault waits for the dump of the one before: two that are close share a file.
         for number in (1, 2, 3):
             self.key.touch()
-            self.await_file(dumps, f"*.Spindle.{number}.jsonl")
+            self.await_true(lambda: any(dumps.glob(f"*.Spindle.{number}.jsonl")))
         self.assertEqual(
             self.await_failure(station),
             "component 'robot:Spindle' is parked, its code threw: the spindle has seized. It is restarted no more. "
@@ -96,13 +71,13 @@ class Faults(unittest.TestCase):
             self.assertEqual(angles, sorted(angles))
 
     def test_without_a_budget_the_first_fault_is_the_last(self):
-        station = self.start(None)
+        station = self.robot(None)
         self.assertNotIn("restarted no more", self.await_failure(station))
         self.assertEqual(self.end(station)[0], 1)
         self.assertEqual(self.brake.read_text().split(), ["running", "closed"])
 
     def test_a_restart_within_the_budget_is_no_failure(self):
-        station = self.start({"most": 16, "per": "0.001s"})
+        station = self.robot({"most": 16, "per": "0.001s"})
         for line in station.stderr:
             if "runs again after fault" in line:
                 break

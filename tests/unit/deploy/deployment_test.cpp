@@ -3,67 +3,18 @@
 
 #include <algorithm>
 
+#include "sound_deployment.h"
+
 namespace {
 
 using namespace std::chrono_literals;
 using suture::Deployment;
 using suture::DocumentError;
 using suture::JsonDocument;
-
-constexpr const char* kSound = R"({
-  "manager": "unix:/tmp/suture.sock",
-  "processes": [
-    {
-      "name": "left",
-      "components": [
-        {"name": "MTML", "class": "Mtm"},
-        {"name": "Teleop", "class": "Teleop", "parameters": {"scale": 0.2}}
-      ]
-    },
-    {
-      "name": "right",
-      "components": [{"name": "PSM1", "class": "Psm"}]
-    }
-  ],
-  "connections": [
-    {"from": "left:Teleop/Master", "to": "left:MTML/Arm"},
-    {"from": "left:Teleop/Slave", "to": "right:PSM1/Arm", "lane": "rpc"}
-  ]
-})";
-
-/// Returns kSound with one piece replaced.
-std::string with(std::string_view piece, std::string_view replacement) {
-  std::string text = kSound;
-  const std::size_t at = text.find(piece);
-  EXPECT_NE(at, std::string::npos) << piece;
-  return text.replace(at, piece.size(), replacement);
-}
-
-std::vector<std::string> problemsOf(const std::string& text) {
-  try {
-    Deployment(JsonDocument::parse(text, "d.json"));
-  } catch (const DocumentError& error) {
-    return error.problems();
-  }
-  return {};
-}
-
-void expectOnly(const std::string& text, const std::string& problem) {
-  EXPECT_EQ(problemsOf(text), std::vector<std::string>{problem});
-}
-
-TEST(Deployment, SocketsCountFromTheFolderOfTheFile) {
-  const std::string relative = with("unix:/tmp/suture.sock", "unix:run/a.sock,unix:/run/b.sock");
-  const Deployment deployment(JsonDocument::parse(relative, "/home/lab/d.json"));
-  EXPECT_EQ(deployment.manager(), "unix:/home/lab/run/a.sock,unix:/run/b.sock");
-}
-
-TEST(Deployment, AddressesAreReadWithTheFile) {
-  expectOnly(with("unix:/tmp/suture.sock", "unix:/tmp/a.sock,tcp://127.0.0.1:7700"),
-             "d.json:2: error: use the address 'unix:/tmp/a.sock,tcp://127.0.0.1:7700': "
-             "'unix:/tmp/a.sock' and 'tcp://127.0.0.1:7700' differ in kind. List addresses of one "
-             "kind.");
-}
+using suture::sound::expectOnly;
+using suture::sound::kSound;
+using suture::sound::problemsOf;
+using suture::sound::with;
 
 TEST(Deployment, Sound) {
   const Deployment deployment(JsonDocument::parse(kSound, "d.json"));
@@ -331,23 +282,6 @@ TEST(Deployment, DelaysThatAreNone) {
                                      "the longest; shorten it"});
 }
 
-TEST(Deployment, SeveralManagers) {
-  const std::string both = "unix:/tmp/1.sock,unix:/tmp/2.sock";
-  const Deployment deployment(JsonDocument::parse(with("unix:/tmp/suture.sock", both), "d.json"));
-  EXPECT_EQ(deployment.manager(), both);
-}
-
-TEST(Deployment, MalformedAddresses) {
-  const auto interface = problemsOf(with("left:MTML/Arm", "left:MTML"));
-  ASSERT_EQ(interface.size(), 1u);
-  EXPECT_TRUE(interface[0].starts_with("d.json:17: error: expected the provided interface"))
-      << interface[0];
-  const auto manager = problemsOf(with("unix:/tmp/suture.sock", "http://x"));
-  ASSERT_EQ(manager.size(), 1u);
-  EXPECT_TRUE(manager[0].starts_with("d.json:2: error: expected address of the global manager"))
-      << manager[0];
-}
-
 TEST(Deployment, ProblemsOfSeveralPlacesAreToldTogether) {
   std::string text = with("\"lane\"", "\"lanes\"");
   text.replace(text.find("\"components\""), 12, "\"component\"");
@@ -387,13 +321,6 @@ TEST(Deployment, TwoProvidersForOneRequiredInterface) {
   expectOnly(with("left:Teleop/Master", "left:Teleop/Slave"),
              "d.json:18: error: 'left:Teleop/Slave' is connected already, on line 17, to "
              "'left:MTML/Arm'; a required interface has one provider: remove one of the two");
-}
-
-TEST(Deployment, TwoProcessesOrLaneRpcNeedAManager) {
-  const auto problems = problemsOf(with("\"manager\": \"unix:/tmp/suture.sock\",", ""));
-  ASSERT_EQ(problems.size(), 2u);
-  EXPECT_TRUE(problems[0].starts_with("d.json:1: error: 2 processes need a global manager"));
-  EXPECT_TRUE(problems[1].starts_with("d.json:18: error: lane \"rpc\" needs a global manager"));
 }
 
 TEST(Deployment, AskingForAProcessThatIsNotThere) {
