@@ -1,5 +1,5 @@
 #pragma once
-// What to run where no global manager answers.
+// This says what to run where no global manager answers.
 
 #include <suture/net/address.h>
 

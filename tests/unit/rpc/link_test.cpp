@@ -255,7 +255,7 @@ TEST_P(LinkTest, APeerWithoutADescriptorWaits) {
   EXPECT_EQ(answer.wait(port_.scope()), 2u);
 }
 
-// Of a process that has not said who it is, a link reads as much as a first message needs.
+// A link reads no more of a process that has not said who it is than a first message needs.
 TEST_P(LinkTest, AStrangersMessagesAreSmall) {
   knows_ = false;
   serve();

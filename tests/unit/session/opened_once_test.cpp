@@ -1,4 +1,4 @@
-// What takes long to open is opened once for all who ask for it.
+// These tests see that something slow to open is opened once for all who ask for it.
 
 #include <gtest/gtest.h>
 #include <suture/lane/opened_once.h>
