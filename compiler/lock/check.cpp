@@ -71,8 +71,12 @@ class WireNames {
   Diagnostics clashes(const model::Header& header, const std::vector<WantedNode>& nodes) const {
     Diagnostics result;
     for (const WantedNode& node : nodes) {
-      const WantedNode& owner = owners_.at(header.cxxNamespace + "::" + node.node.name);
-      if (identity(owner.node) == identity(node.node)) continue;
+      const auto& [path, owner] = owners_.at(header.cxxNamespace + "::" + node.node.name);
+      if (path == header.path && identity(owner.node) == identity(node.node)) continue;
+      if (identity(owner.node) == identity(node.node)) {
+        result.push_back(sameComposite(node, path));
+        continue;
+      }
       result.push_back(
           {node.source,
            "wire-name-clash",
@@ -90,9 +94,10 @@ class WireNames {
     for (const Node& node : merged.nodes) {
       const auto taken = owners_.find(header.cxxNamespace + "::" + node.name);
       if (!node.removed() || taken == owners_.end()) continue;
-      result.push_back({taken->second.source,
+      const WantedNode& owner = taken->second.node;
+      result.push_back({owner.source,
                         "wire-name-clash",
-                        taken->second.title + " has the wire name of a removed " + node.name,
+                        owner.title + " has the wire name of a removed " + node.name,
                         "give it another: name(\"...\")",
                         {}});
     }
@@ -100,13 +105,28 @@ class WireNames {
   }
 
  private:
+  struct Owner {
+    std::string path;
+    WantedNode node;
+  };
+
   void add(const model::Header& header, const model::Lookup& lookup) {
     for (WantedNode& node : wanted(header, lookup)) {
-      owners_.emplace(header.cxxNamespace + "::" + node.node.name, std::move(node));
+      const std::string name = header.cxxNamespace + "::" + node.node.name;
+      owners_.emplace(name, Owner{header.path, std::move(node)});
     }
   }
 
-  std::map<std::string, WantedNode> owners_;
+  /// Reports a composite that the locks of two headers give the same name.
+  static model::Diagnostic sameComposite(const WantedNode& node, const std::string& other) {
+    return {node.source,
+            "wire-name-clash",
+            node.title + " has the wire name '" + node.node.name + "' here and in " + other,
+            "rename one of the two headers: such names begin with its path",
+            {{{0, other, 0}, "this header has it too"}}};
+  }
+
+  std::map<std::string, Owner> owners_;
 };
 
 /// Reports members that have the name of what suturec adds to every contract (subscribe, state,

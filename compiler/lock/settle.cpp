@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/lock/prefixes.h"
 #include "compiler/lock/schema/wire_type.h"
 #include "compiler/lock/wanted.h"
 #include "compiler/model/lookup.h"
@@ -184,6 +185,7 @@ void settle(model::Enum& type, const Node* node) {
 model::Model settled(const model::Model& model, const Locks& locks) {
   const model::Lookup lookup(model);
   model::Model result = model;
+  settlePrefixes(result, locks);
   for (std::size_t i = 0; i < model.headers.size(); ++i) {
     const model::Header& header = model.headers[i];
     const auto lock = locks.files.find(lockPath(header.path));

@@ -188,6 +188,7 @@ struct Header {
   std::string file;          ///< where it was read, as clang opened it
   std::string cxxNamespace;  ///< enclosing namespace of its declarations: "robots::arm"
   bool own = true;  ///< false: another target's; read for its declarations, nothing is emitted
+  std::string wirePrefix{};          ///< its composites' names begin with it; "" = made of the path
   bool hasDeprecated = false;        ///< the compiler warns of the use of some of it
   std::vector<std::string> imports;  ///< paths of the annotated headers whose types it uses, sorted
   std::vector<Enum> enums;

@@ -83,22 +83,6 @@ std::string nameOf(const Type& type, const Place& place) {
   return "";
 }
 
-/// Tells the headers of a namespace apart: returns "RobotsArm" for "robots/arm.h", "Arm" for
-/// "arm/arm.h" and "Header03ArmArm" for "03_arm/arm.h", since a name begins with a letter.
-std::string prefixOf(const model::Header& header) {
-  const std::string stem = model::stemOf(header.path);
-  std::string result, last;
-  for (std::size_t begin = 0; begin <= stem.size();) {
-    const std::size_t end = std::min(stem.find('/', begin), stem.size());
-    const std::string piece = stem.substr(begin, end - begin);
-    if (piece != last) result += model::titleCase(model::camelCase(piece));
-    last = piece;
-    begin = end + 1;
-  }
-  const bool isName = result.empty() || std::isdigit(static_cast<unsigned char>(result[0])) == 0;
-  return isName ? result : "Header" + result;
-}
-
 std::string decapitalised(std::string name) {
   if (!name.empty()) name[0] = static_cast<char>(name[0] | 0x20);
   return name;
@@ -122,6 +106,21 @@ std::vector<std::string> alternativeNames(const Type& type, const Place& place) 
 bool isComposite(const Type& type) {
   return type.shape == Shape::Optional || type.shape == Shape::Map || type.shape == Shape::Tuple ||
          type.shape == Shape::Variant || type.shape == Shape::AnyMatrix;
+}
+
+std::string prefixOf(const model::Header& header) {
+  if (!header.wirePrefix.empty()) return header.wirePrefix;
+  const std::string stem = model::stemOf(header.path);
+  std::string result, last;
+  for (std::size_t begin = 0; begin <= stem.size();) {
+    const std::size_t end = std::min(stem.find('/', begin), stem.size());
+    const std::string piece = stem.substr(begin, end - begin);
+    if (piece != last) result += model::titleCase(model::camelCase(piece));
+    last = piece;
+    begin = end + 1;
+  }
+  const bool isName = result.empty() || std::isdigit(static_cast<unsigned char>(result[0])) == 0;
+  return isName ? result : "Header" + result;
 }
 
 std::string compositeName(const Type& type, const model::Lookup& lookup,

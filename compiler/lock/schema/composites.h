@@ -14,6 +14,11 @@ namespace suture::compiler::lock {
 /// Tells if the type travels as such a struct or, if it is a map, as a list of such structs.
 bool isComposite(const model::Type& type);
 
+/// Returns what the names of the header's composites begin with: "RobotsArm" for "robots/arm.h",
+/// "Arm" for "arm/arm.h" and "Header03ArmArm" for "03_arm/arm.h", since a name begins with a
+/// letter. Two headers may have one prefix until settled() has told them apart.
+std::string prefixOf(const model::Header& header);
+
 /// Returns the name of that struct in the schema of `inside`.
 std::string compositeName(const model::Type& type, const model::Lookup& lookup,
                           const model::Header& inside);

@@ -10,6 +10,7 @@
 #include "compiler/lock/schema/lock.h"
 #include "compiler/lock/schema/parse.h"
 #include "compiler/lock/schema/writer.h"
+#include "compiler/lock/settle.h"
 #include "tests/unit/emit/sample_model.h"
 
 namespace suture::compiler::lock {
@@ -72,6 +73,61 @@ TEST_F(CompositesTest, NamesSayWhatTheyAreMadeOf) {
 TEST_F(CompositesTest, ANumberedFolderGivesNamesALetter) {
   sample::armHeader(model_).path = "03_own_type/arm.h";
   EXPECT_EQ(name(of(Shape::Optional, {sample::number()})), "Header03OwnTypeArmOptionalFloat64");
+}
+
+/// Holds two headers of one namespace whose paths make the same prefix.
+class TwinHeadersTest : public CompositesTest {
+ protected:
+  TwinHeadersTest() {
+    sample::armHeader(model_).path = "arm.h";
+    model::Header twin;
+    twin.path = "arm/arm.h";
+    twin.cxxNamespace = "robots";
+    twin.structs = {sample::structure(
+        "robots::Twin", {sample::field("value", of(Shape::Optional, {sample::number()}))})};
+    model_.headers.push_back(twin);
+  }
+
+  /// Returns the names of the composite in both schemas, and takes them into the locks.
+  std::vector<std::string> composites() {
+    model_ = settled(model_, locks_);
+    model::Diagnostics none;
+    locks_ = read(update(model_, locks_).files, none);
+    const model::Lookup lookup(model_);
+    const model::Type type = of(Shape::Optional, {sample::number()});
+    return {compositeName(type, lookup, sample::armHeader(model_)),
+            compositeName(type, lookup, model_.headers.back())};
+  }
+
+  void forgetSettled() {
+    for (model::Header& header : model_.headers) header.wirePrefix.clear();
+  }
+
+  Locks locks_;
+};
+
+TEST_F(TwinHeadersTest, HeadersWithOnePrefixAreToldApart) {
+  EXPECT_EQ(composites(), (std::vector<std::string>{"ArmOptionalFloat64", "Arm2OptionalFloat64"}));
+  EXPECT_TRUE(slugs(locks_).empty());
+}
+
+TEST_F(TwinHeadersTest, TheHeaderThatIsInUseKeepsItsPrefix) {
+  const model::Header first = sample::armHeader(model_);
+  model_.headers.erase(model_.headers.begin());
+  model_ = settled(model_, locks_);
+  model::Diagnostics none;
+  locks_ = read(update(model_, locks_).files, none);
+  forgetSettled();
+  model_.headers.insert(model_.headers.begin(), first);
+  EXPECT_EQ(composites(), (std::vector<std::string>{"Arm2OptionalFloat64", "ArmOptionalFloat64"}));
+  forgetSettled();
+  EXPECT_EQ(composites(), (std::vector<std::string>{"Arm2OptionalFloat64", "ArmOptionalFloat64"}));
+}
+
+TEST_F(TwinHeadersTest, LocksThatShareANameAlreadyAreReported) {
+  model::Diagnostics none;
+  EXPECT_EQ(slugs(read(update(model_, {}).files, none)),
+            (std::vector<std::string>{"wire-name-clash"}));
 }
 
 TEST_F(CompositesTest, BoundsDoNotChangeAName) {
