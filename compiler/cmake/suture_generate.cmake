@@ -16,6 +16,7 @@
 #   RUNTIME    what to link instead of all of the runtime: for contracts that the runtime itself links
 #
 # SUTUREC_EXECUTABLE, set before, is the suturec to run where that of the package is for another machine.
+# A header that declares more than SUTURE_DECLARATIONS_PER_SOURCE types, commands and events (150 if it is not set) gives several sources.
 # With suturec at hand it runs at build time: once per change of anything the headers read, and it
 # rewrites only files whose text changes. Without it, what is committed in <project>/generated is compiled.
 # Four targets serve all: update-lock, accept-break, update-generated and the test check-generated.
@@ -38,6 +39,9 @@ function(suture_generate)
   if(arg_LOADABLE)
     set(entry ${arg_TARGET}.components.cpp)
   endif()
+  foreach(stem IN LISTS stems)
+    suture_count_sources(${stem} "${arg_BASE_DIR}")
+  endforeach()
   set(wire ${CMAKE_BINARY_DIR}/generated-wire)
   set(lock_dirs ${arg_LOCK_DIR} ${arg_LOCK_PATH})
   suture_find_compiler(suturec)

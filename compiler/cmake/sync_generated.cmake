@@ -21,7 +21,7 @@ foreach(file IN LISTS files)
   endif()
 endforeach()
 
-file(GLOB_RECURSE committed RELATIVE ${COMMITTED} ${COMMITTED}/*.suture.*)
+file(GLOB_RECURSE committed RELATIVE ${COMMITTED} ${COMMITTED}/*.suture.* ${COMMITTED}/*.wire.cpp ${COMMITTED}/*.wire.*.cpp)
 foreach(file IN LISTS committed)
   if(file IN_LIST files)
     continue()

@@ -44,6 +44,17 @@ struct Split {
   }
 };
 
+// Reads "arm/arm.h=3".
+std::pair<std::string, unsigned> sourcesOf(const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  const std::string digits = equals == std::string::npos ? "" : text.substr(equals + 1);
+  const bool isNumber = !digits.empty() && digits.size() < 4 &&
+                        digits.find_first_not_of("0123456789") == std::string::npos;
+  const unsigned count = isNumber ? static_cast<unsigned>(std::stoul(digits)) : 0;
+  if (count == 0) throw CLI::ValidationError("--sources", "'" + text + "' is not HEADER=N");
+  return {text.substr(0, equals), count};
+}
+
 void declare(CLI::App& app, Options& options) {
   app.add_option("headers", options.headers, "Annotated headers of one target");
   app.add_option("--target-name", options.targetName, "Name of the target, for messages");
@@ -55,6 +66,13 @@ void declare(CLI::App& app, Options& options) {
       "--components-file", options.componentsFile,
       "Source file below --out for suture_components(), through which a deployment finds "
       "the components of a shared library");
+  app.add_option_function<std::vector<std::string>>(
+         "--sources",
+         [&options](const std::vector<std::string>& all) {
+           for (const std::string& one : all) options.sources.insert(sourcesOf(one));
+         },
+         "HEADER=N: so many sources of each kind for a big header, by its path")
+      ->allow_extra_args(false);
   app.add_option("--depfile", options.depfile, "Make rule that lists every file read");
   app.add_option("--stamp", options.stamp, "File touched after a run without errors");
   app.add_option("--resource-dir", options.resourceDirectory, "Clang's own headers");

@@ -1,6 +1,7 @@
 #pragma once
 // This reads the command line of suturec.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ struct Options {
   std::string targetName = "headers";
   std::string baseDirectory = ".";
   std::string outputDirectory;
+  std::map<std::string, unsigned> sources;  ///< by a big header's path, files of each kind
   std::vector<std::string>
       lockDirectories;            ///< the first is the target's own, and written by --update-lock
   std::string depfile, stamp;     ///< "" = none

@@ -140,7 +140,7 @@ class Run {
   }
 
   bool generate(const lock::Locks& locks) {
-    std::vector<model::Artefact> artefacts = emit::emit(model_, locks);
+    std::vector<model::Artefact> artefacts = emit::emit(model_, locks, options_.sources);
     for (const model::Header& header : model_.headers) {
       if (header.own) artefacts.push_back(wireSchema(header, locks));
     }

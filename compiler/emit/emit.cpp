@@ -5,6 +5,8 @@
 #include "compiler/emit/text/context.h"
 #include "compiler/emit/text/order.h"
 #include "compiler/emit/text/parts.h"
+#include "compiler/emit/text/share.h"
+#include "compiler/emit/wire/wire_file.h"
 #include "compiler/lock/contract_hash.h"
 #include "compiler/lock/wire_contract.h"
 #include "compiler/model/naming.h"
@@ -20,15 +22,22 @@ struct Emitter {
 /// This table has all that is generated for a header. compiler/cmake/outputs.list is what suturec
 /// prints of it.
 constexpr Emitter kEmitters[] = {
-    {{"suture.h", "include"}, headerFile},
-    {{"suture.cpp", "compile"}, sourceFile},
-    {{"suture.json", "read"}, emitJson},
+    {{"suture.h", "include"}, headerFile}, {{"suture.cpp", "compile"}, sourceFile},
+    {{"wire.cpp", "compile"}, wireFile},   {{"suture.json", "read"}, emitJson},
     {{"suture.md", "read"}, emitPage},
 };
 
+/// Returns the path of source file `index`: "arm/arm.suture.cpp", "arm/arm.suture.2.cpp".
+std::string nameOf(const model::Header& header, const Output& output, unsigned index) {
+  std::string name = model::stemOf(header.path) + "." + output.suffix;
+  if (index > 0) name.insert(name.rfind('.'), "." + std::to_string(index + 1));
+  return name;
+}
+
 }  // namespace
 
-std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& locks) {
+std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& locks,
+                           const Sources& sources) {
   const model::Model model = ordered(declared, locks);
   const model::Lookup lookup(model);
   const std::map<std::string, lock::Lock> schemas = lock::upToDate(model, locks);
@@ -37,10 +46,15 @@ std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& lock
   std::vector<Artefact> artefacts;
   for (const model::Header& header : model.headers) {
     if (!header.own) continue;
-    const Context context{model, lookup, locks, schemas, hashes, cores, header};
+    const auto split = sources.find(header.path);
+    const unsigned count = split == sources.end() ? 1 : split->second;
     for (const Emitter& emitter : kEmitters) {
-      artefacts.push_back(
-          {model::stemOf(header.path) + "." + emitter.output.suffix, emitter.write(context)});
+      const unsigned files = emitter.output.isSource() ? count : 1;
+      for (unsigned i = 0; i < files; ++i) {
+        const model::Header share = shareOf(header, i, files);
+        const Context context{model, lookup, locks, schemas, hashes, cores, share, i};
+        artefacts.push_back({nameOf(header, emitter.output, i), emitter.write(context)});
+      }
     }
   }
   return artefacts;

@@ -1,6 +1,9 @@
 #pragma once
 // This turns the checked model into the text of every generated file.
 
+#include <map>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/lock/schema/lock.h"
@@ -15,12 +18,19 @@ using model::Artefact;
 struct Output {
   const char* suffix;  ///< "suture.h"
   const char* use;     ///< what a build does with it: "include", "compile", or only "read"
+
+  bool isSource() const { return std::string_view(use) == "compile"; }
 };
+
+/// Says how many sources of each kind a big header gives, by its path: X.suture.cpp, then
+/// X.suture.2.cpp. Any other gives one.
+using Sources = std::map<std::string, unsigned>;
 
 /// Generates the files of the model's own headers: for each header, all of outputs() in that order.
 /// Foreign headers (own = false) serve as declarations only. The model must have passed check/ and
 /// lock::check: nothing is verified again here. Equal input gives equal bytes.
-std::vector<Artefact> emit(const model::Model& model, const lock::Locks& locks);
+std::vector<Artefact> emit(const model::Model& model, const lock::Locks& locks,
+                           const Sources& sources = {});
 
 /// Returns all kinds of file that emit() writes.
 std::vector<Output> outputs();

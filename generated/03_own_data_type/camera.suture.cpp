@@ -1,27 +1,17 @@
 // Written by suturec from 03_own_data_type/camera.h. Do not edit.
 #include "03_own_data_type/camera.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "03_own_data_type/camera.capnp.h"
-
-// Defined in 03_own_data_type/observation.suture.cpp.
-namespace tracking {
-void toWire(const ObservationSlot& slot, wire::Observation::Builder out);
-suture::Errc fromWire(wire::Observation::Reader in, ObservationSlot& slot, suture::Duration shift);
-bool isValid(const ObservationSlot& slot, suture::FieldPath* path);
-}  // namespace tracking
-
 namespace tracking {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -48,22 +38,9 @@ void reserve(const CameraParametersSlot*, CameraParameters& value) {
   suture::reserveFor<decltype(CameraParametersSlot::first)>(value.first);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const CameraParametersSlot& slot, wire::CameraParameters::Builder out) {
-  toWire(slot.first, out.initFirst());
-  out.setTurnRate(slot.turn_rate);
-}
-
-suture::Errc fromWire(wire::CameraParameters::Reader in, CameraParametersSlot& slot,
-                      suture::Duration shift) {
-  slot.turn_rate = in.getTurnRate();
-  return fromWire(in.getFirst(), slot.first, shift);
-}
-
 bool isValid(const CameraParametersSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.first, path)) return suture::refusedAt(path, "first");
-  return suture::rpc::inRange(slot.turn_rate, -10, 10) || suture::refusedAt(path, "turn_rate");
+  return suture::inRange(slot.turn_rate, -10, 10) || suture::refusedAt(path, "turn_rate");
 }
 
 }  // namespace tracking
@@ -85,17 +62,6 @@ void fromJson(const suture::JsonReader& in, CameraParameters& value) {
 }  // namespace tracking
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const tracking::CameraParameters& value) {
-  return rpc::encodeAs<tracking::wire::CameraParameters, tracking::CameraParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, tracking::CameraParameters& value) {
-  return rpc::decodeAs<tracking::wire::CameraParameters,
-                       tracking::CameraParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<tracking::Camera>() {

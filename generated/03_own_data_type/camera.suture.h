@@ -25,6 +25,8 @@ bool store(const CameraParameters& value, CameraParametersSlot& slot);
 void load(const CameraParametersSlot& slot, CameraParameters& value);
 void reserve(const CameraParametersSlot*, CameraParameters& value);
 
+bool isValid(const CameraParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, CameraParameters& value);
 

@@ -1,20 +1,17 @@
 // Written by suturec from 03_own_data_type/observation.h. Do not edit.
 #include "03_own_data_type/observation.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "03_own_data_type/observation.capnp.h"
-
 namespace tracking {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -69,17 +66,6 @@ void reserve(const ObservationSlot*, Observation& value) {
   suture::reserveFor<decltype(ObservationSlot::markers)>(value.markers);
 }
 
-// --- between slots and Cap'n Proto
-
-wire::Visibility wireVisibility(std::uint8_t slot) {
-  switch (static_cast<Visibility>(slot)) {
-    case Visibility::Hidden: return wire::Visibility::HIDDEN;
-    case Visibility::Partial: return wire::Visibility::PARTIAL;
-    case Visibility::Full: return wire::Visibility::FULL;
-  }
-  return wire::Visibility{};
-}
-
 bool isKnownVisibility(std::uint8_t slot) {
   switch (static_cast<Visibility>(slot)) {
     case Visibility::Hidden:
@@ -90,66 +76,19 @@ bool isKnownVisibility(std::uint8_t slot) {
   return false;
 }
 
-suture::Errc fromWire(wire::Visibility in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::Visibility::HIDDEN: return slot =
-        static_cast<std::uint8_t>(Visibility::Hidden), suture::Errc{};
-    case wire::Visibility::PARTIAL: return slot =
-        static_cast<std::uint8_t>(Visibility::Partial), suture::Errc{};
-    case wire::Visibility::FULL: return slot =
-        static_cast<std::uint8_t>(Visibility::Full), suture::Errc{};
-  }
-  return suture::Errc::Invalid;
-}
-
-void toWire(const MarkerSlot& slot, wire::Marker::Builder out) {
-  out.setNumber(slot.number);
-  toWire(slot.position, out.initPosition());
-}
-
-suture::Errc fromWire(wire::Marker::Reader in, MarkerSlot& slot, suture::Duration) {
-  slot.number = in.getNumber();
-  return in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-      : suture::rpc::fromDefault(Marker().position, slot.position);
-}
-
 bool isValid(const MarkerSlot& slot, suture::FieldPath* path) {
   return isValid(slot.position, path) || suture::refusedAt(path, "position");
-}
-
-void toWire(const ObservationSlot& slot, wire::Observation::Builder out) {
-  toWire(slot.instrument, out.initInstrument(sizeOf(slot.instrument)));
-  out.setVisibility(wireVisibility(slot.visibility));
-  toWire(slot.tip, out.initTip());
-  suture::rpc::toWireList(slot.markers, out.initMarkers(sizeOf(slot.markers)),
-                          [](const MarkerSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  out.setJawAngle(slot.jaw_angle);
-}
-
-suture::Errc fromWire(wire::Observation::Reader in, ObservationSlot& slot, suture::Duration shift) {
-  slot.jaw_angle = in.getJawAngle();
-  return suture::rpc::firstError({
-      fromWire(in.getInstrument(), slot.instrument),
-      fromWire(in.getVisibility(), slot.visibility),
-      in.hasTip() ? fromWire(in.getTip(), slot.tip)
-          : suture::rpc::fromDefault(Observation().tip, slot.tip),
-      suture::rpc::fromWireList(in.getMarkers(), slot.markers, [&](auto item, MarkerSlot& target) {
-        return fromWire(item, target, shift);
-      }),
-  });
 }
 
 bool isValid(const ObservationSlot& slot, suture::FieldPath* path) {
   if (!isKnownVisibility(slot.visibility)) return suture::refusedAt(path, "visibility");
   if (!isValid(slot.tip)) return suture::refusedAt(path, "tip");
-  if (!suture::rpc::allOf(slot.markers, path, [path](const MarkerSlot& element) {
+  if (!suture::allOf(slot.markers, path, [path](const MarkerSlot& element) {
     return isValid(element, path);
   })) {
     return suture::refusedAt(path, "markers");
   }
-  return suture::rpc::inRange(slot.jaw_angle, 0, 1.6) || suture::refusedAt(path, "jaw_angle");
+  return suture::inRange(slot.jaw_angle, 0, 1.6) || suture::refusedAt(path, "jaw_angle");
 }
 
 }  // namespace tracking
@@ -181,27 +120,3 @@ void fromJson(const suture::JsonReader& in, Observation& value) {
 }
 
 }  // namespace tracking
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const tracking::Marker& value) {
-  return rpc::encodeAs<tracking::wire::Marker, tracking::MarkerSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, tracking::Marker& value) {
-  return rpc::decodeAs<tracking::wire::Marker, tracking::MarkerSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const tracking::Observation& value) {
-  return rpc::encodeAs<tracking::wire::Observation, tracking::ObservationSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, tracking::Observation& value) {
-  return rpc::decodeAs<tracking::wire::Observation, tracking::ObservationSlot>(bytes, value);
-}
-
-}  // namespace suture

@@ -29,6 +29,10 @@ bool store(const Observation& value, ObservationSlot& slot);
 void load(const ObservationSlot& slot, Observation& value);
 void reserve(const ObservationSlot*, Observation& value);
 
+bool isKnownVisibility(std::uint8_t slot);
+bool isValid(const MarkerSlot& slot, suture::FieldPath* path);
+bool isValid(const ObservationSlot& slot, suture::FieldPath* path);
+
 }  // namespace tracking
 
 namespace suture {

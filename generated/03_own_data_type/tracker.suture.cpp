@@ -1,89 +1,22 @@
 // Written by suturec from 03_own_data_type/tracker.h. Do not edit.
 #include "03_own_data_type/tracker.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "03_own_data_type/tracker.capnp.h"
-
-// Defined in 03_own_data_type/observation.suture.cpp.
-namespace tracking {
-void toWire(const ObservationSlot& slot, wire::Observation::Builder out);
-suture::Errc fromWire(wire::Observation::Reader in, ObservationSlot& slot, suture::Duration shift);
-bool isValid(const ObservationSlot& slot, suture::FieldPath* path);
-}  // namespace tracking
-
 namespace tracking {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
+// Defined in 03_own_data_type/tracker.wire.cpp.
+const suture::rpc::Codec& trackerCodec();
+
 namespace {
-
-// --- Tracker as Cap'n Proto
-
-void encodeTrackerObservationResult(const ObservationSlot& slot,
-                                    wire::Tracker::ObservationResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeTrackerObservationResult(wire::Tracker::ObservationResults::Reader in,
-                                            ObservationSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeTrackerObservationColumn(const ObservationSlot& slot,
-                                    wire::TrackerStateRow::Builder out) {
-  toWire(slot, out.initObservation());
-}
-suture::Errc decodeTrackerObservationColumn(wire::TrackerStateRow::Reader in, ObservationSlot& slot,
-                                            suture::Duration shift) {
-  return in.hasObservation() ? fromWire(in.getObservation(), slot, shift) : suture::Errc::Invalid;
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeTrackerColumn(unsigned column, const std::byte* memory,
-                         wire::TrackerStateRow::Builder out) {
-  switch (static_cast<TrackerColumn>(column)) {
-    case TrackerColumn::observation:
-      return encodeTrackerObservationColumn(suture::slotIn<ObservationSlot>(memory), out);
-  }
-}
-suture::Errc decodeTrackerColumn(wire::TrackerStateRow::Reader in, unsigned column,
-                                 std::byte* memory, suture::Duration shift) {
-  switch (static_cast<TrackerColumn>(column)) {
-    case TrackerColumn::observation:
-      return decodeTrackerObservationColumn(in, suture::newSlot<ObservationSlot>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kTrackerCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Tracker>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::Tracker::ObservationParams>,
-     .result = suture::rpc::messageOf<wire::Tracker::ObservationResults, ObservationSlot,
-                                      encodeTrackerObservationResult,
-                                      decodeTrackerObservationResult>,
-     .stamp = suture::rpc::stampIn<wire::Tracker::ObservationResults>},
-};
-
-const suture::rpc::Codec& trackerCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Tracker>,
-      .contract = capnp::typeId<wire::Tracker>(),
-      .subscriber = capnp::typeId<wire::TrackerEvents>(),
-      .commands = kTrackerCommandCodecs,
-      .events = {},
-      .row = suture::rpc::rowOf<wire::TrackerEvents::StateParams, wire::TrackerStateRow,
-                                encodeTrackerColumn, decodeTrackerColumn>,
-  };
-  return kCodec;
-}
 
 constexpr suture::CommandInfo kTrackerCommands[] = {
     {.name = "observation",

@@ -1,19 +1,16 @@
 // Written by suturec from 05_events/gripper.h. Do not edit.
 #include "05_events/gripper.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "05_events/gripper.capnp.h"
-
 namespace gripping {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -26,17 +23,6 @@ static_assert(static_cast<std::uint8_t>(Jaws::Holding) == 2);
 
 }  // namespace
 
-// --- between slots and Cap'n Proto
-
-wire::Jaws wireJaws(std::uint8_t slot) {
-  switch (static_cast<Jaws>(slot)) {
-    case Jaws::Open: return wire::Jaws::OPEN;
-    case Jaws::Closing: return wire::Jaws::CLOSING;
-    case Jaws::Holding: return wire::Jaws::HOLDING;
-  }
-  return wire::Jaws{};
-}
-
 bool isKnownJaws(std::uint8_t slot) {
   switch (static_cast<Jaws>(slot)) {
     case Jaws::Open:
@@ -47,16 +33,8 @@ bool isKnownJaws(std::uint8_t slot) {
   return false;
 }
 
-suture::Errc fromWire(wire::Jaws in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::Jaws::OPEN: return slot = static_cast<std::uint8_t>(Jaws::Open), suture::Errc{};
-    case wire::Jaws::CLOSING: return slot =
-        static_cast<std::uint8_t>(Jaws::Closing), suture::Errc{};
-    case wire::Jaws::HOLDING: return slot =
-        static_cast<std::uint8_t>(Jaws::Holding), suture::Errc{};
-  }
-  return suture::Errc::Invalid;
-}
+// Defined in 05_events/gripper.wire.cpp.
+const suture::rpc::Codec& gripperCodec();
 
 namespace {
 
@@ -65,72 +43,6 @@ bool acceptsGripperJawsChangedEvent(const std::uint8_t& slot, suture::FieldPath*
 }
 
 bool acceptsGripperTouchedEvent(const double& slot, suture::FieldPath*) { return isValid(slot); }
-
-// --- Gripper as Cap'n Proto
-
-void encodeGripperReleaseResult(const std::uint8_t& slot,
-                                wire::Gripper::ReleaseResults::Builder out) {
-  out.setValue(slot != 0);
-}
-suture::Errc decodeGripperReleaseResult(wire::Gripper::ReleaseResults::Reader in,
-                                        std::uint8_t& slot, suture::Duration) {
-  slot = in.getValue();
-  return suture::Errc{};
-}
-
-void encodeGripperJawsChangedEvent(const std::uint8_t& slot,
-                                   wire::GripperEvents::JawsChangedParams::Builder out) {
-  out.setValue(wireJaws(slot));
-}
-suture::Errc decodeGripperJawsChangedEvent(wire::GripperEvents::JawsChangedParams::Reader in,
-                                           std::uint8_t& slot, suture::Duration) {
-  return fromWire(in.getValue(), slot);
-}
-
-void encodeGripperTouchedEvent(const double& slot,
-                               wire::GripperEvents::TouchedParams::Builder out) {
-  out.setValue(slot);
-}
-suture::Errc decodeGripperTouchedEvent(wire::GripperEvents::TouchedParams::Reader in, double& slot,
-                                       suture::Duration) {
-  slot = in.getValue();
-  return suture::Errc{};
-}
-
-constexpr suture::rpc::CommandCodec kGripperCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Gripper>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::Gripper::GraspParams>},
-    {.interface = capnp::typeId<wire::Gripper>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::Gripper::ReleaseParams>,
-     .result = suture::rpc::messageOf<wire::Gripper::ReleaseResults, std::uint8_t,
-                                      encodeGripperReleaseResult, decodeGripperReleaseResult>},
-};
-
-constexpr suture::rpc::EventCodec kGripperEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::GripperEvents::JawsChangedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperEvents::JawsChangedParams, std::uint8_t,
-                                       encodeGripperJawsChangedEvent,
-                                       decodeGripperJawsChangedEvent>},
-    {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::GripperEvents::TouchedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperEvents::TouchedParams, double,
-                                       encodeGripperTouchedEvent, decodeGripperTouchedEvent>},
-};
-
-const suture::rpc::Codec& gripperCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Gripper>,
-      .contract = capnp::typeId<wire::Gripper>(),
-      .subscriber = capnp::typeId<wire::GripperEvents>(),
-      .commands = kGripperCommandCodecs,
-      .events = kGripperEventCodecs,
-      .row = suture::rpc::rowOf<wire::GripperEvents::StateParams, wire::GripperStateRow>,
-  };
-  return kCodec;
-}
 
 constexpr suture::CommandInfo kGripperCommands[] = {
     {.name = "grasp", .kind = suture::CommandKind::Void, .depth = 16},

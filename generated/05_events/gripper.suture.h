@@ -11,6 +11,8 @@
 
 namespace gripping {
 
+bool isKnownJaws(std::uint8_t slot);
+
 /// Names the numbers of Gripper's commands in every table and record.
 enum class GripperCommand : std::uint16_t {
   grasp,

@@ -1,48 +1,16 @@
 // Written by suturec from arm/jaw.h. Do not edit.
 #include "arm/jaw.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "arm/jaw.capnp.h"
-
-// Defined in robot_types/joint_commands.suture.cpp.
-namespace robots {
-void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builder out);
-suture::Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot,
-                      suture::Duration shift);
-bool isValid(const JointConfigurationSlot& slot, suture::FieldPath* path);
-void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out);
-suture::Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slot,
-                      suture::Duration shift);
-bool isValid(const JointEffortGoalSlot& slot, suture::FieldPath* path);
-}  // namespace robots
-
-// Defined in robot_types/joints.suture.cpp.
-namespace robots {
-void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out);
-suture::Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, suture::Duration shift);
-bool isValid(const JointGoalSlot& slot, suture::FieldPath* path);
-void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
-suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
-bool isValid(const JointStateSlot& slot, suture::FieldPath* path);
-}  // namespace robots
-
-// Defined in suture/standard/messages.suture.cpp.
-namespace suture {
-void toWire(const MessageSlot& slot, wire::Message::Builder out);
-suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift);
-bool isValid(const MessageSlot& slot, suture::FieldPath* path);
-}  // namespace suture
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 bool store(const JointGoal& goal, JawServoJpArguments& slot) { return store(goal, slot.goal); }
@@ -65,6 +33,9 @@ void shiftStamps(JawMoveJpArguments& slot, suture::Duration shift) {
   shiftStamps(slot.goal, shift);
 }
 
+// Defined in arm/jaw.wire.cpp.
+const suture::rpc::Codec& jawCodec();
+
 namespace {
 
 bool acceptsJawServoJp(const JawServoJpArguments& slot, suture::FieldPath* path) {
@@ -77,216 +48,6 @@ bool acceptsJawServoJf(const JawServoJfArguments& slot, suture::FieldPath* path)
 
 bool acceptsJawMoveJp(const JawMoveJpArguments& slot, suture::FieldPath* path) {
   return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
-}
-
-// --- Jaw as Cap'n Proto
-
-void encodeJawConfigurationJsResult(const JointConfigurationSlot& slot,
-                                    wire::Jaw::ConfigurationJsResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeJawConfigurationJsResult(wire::Jaw::ConfigurationJsResults::Reader in,
-                                            JointConfigurationSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeJawMeasuredJsResult(const JointStateSlot& slot,
-                               wire::Jaw::MeasuredJsResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeJawMeasuredJsResult(wire::Jaw::MeasuredJsResults::Reader in,
-                                       JointStateSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeJawSetpointJsResult(const JointStateSlot& slot,
-                               wire::Jaw::SetpointJsResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeJawSetpointJsResult(wire::Jaw::SetpointJsResults::Reader in,
-                                       JointStateSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeJawServoJp(const JawServoJpArguments& slot, wire::Jaw::ServoJpParams::Builder out) {
-  toWire(slot.goal, out.initGoal());
-}
-suture::Errc decodeJawServoJp(wire::Jaw::ServoJpParams::Reader in, JawServoJpArguments& slot,
-                              suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
-}
-
-void encodeJawServoJf(const JawServoJfArguments& slot, wire::Jaw::ServoJfParams::Builder out) {
-  toWire(slot.goal, out.initGoal());
-}
-suture::Errc decodeJawServoJf(wire::Jaw::ServoJfParams::Reader in, JawServoJfArguments& slot,
-                              suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
-}
-
-void encodeJawMoveJp(const JawMoveJpArguments& slot, wire::Jaw::MoveJpParams::Builder out) {
-  toWire(slot.goal, out.initGoal());
-}
-suture::Errc decodeJawMoveJp(wire::Jaw::MoveJpParams::Reader in, JawMoveJpArguments& slot,
-                             suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
-}
-
-void encodeJawStatusEvent(const suture::MessageSlot& slot,
-                          wire::JawEvents::StatusParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeJawStatusEvent(wire::JawEvents::StatusParams::Reader in,
-                                  suture::MessageSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeJawWarningEvent(const suture::MessageSlot& slot,
-                           wire::JawEvents::WarningParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeJawWarningEvent(wire::JawEvents::WarningParams::Reader in,
-                                   suture::MessageSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeJawErrorEvent(const suture::MessageSlot& slot,
-                         wire::JawEvents::ErrorParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeJawErrorEvent(wire::JawEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
-                                 suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeJawGoalReachedEvent(const std::uint8_t& slot,
-                               wire::JawEvents::GoalReachedParams::Builder out) {
-  out.setValue(slot != 0);
-}
-suture::Errc decodeJawGoalReachedEvent(wire::JawEvents::GoalReachedParams::Reader in,
-                                       std::uint8_t& slot, suture::Duration) {
-  slot = in.getValue();
-  return suture::Errc{};
-}
-
-void encodeJawConfigurationJsColumn(const JointConfigurationSlot& slot,
-                                    wire::JawStateRow::Builder out) {
-  toWire(slot, out.initConfigurationJs());
-}
-suture::Errc decodeJawConfigurationJsColumn(wire::JawStateRow::Reader in,
-                                            JointConfigurationSlot& slot, suture::Duration shift) {
-  return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift)
-      : suture::Errc::Invalid;
-}
-
-void encodeJawMeasuredJsColumn(const JointStateSlot& slot, wire::JawStateRow::Builder out) {
-  toWire(slot, out.initMeasuredJs());
-}
-suture::Errc decodeJawMeasuredJsColumn(wire::JawStateRow::Reader in, JointStateSlot& slot,
-                                       suture::Duration shift) {
-  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeJawSetpointJsColumn(const JointStateSlot& slot, wire::JawStateRow::Builder out) {
-  toWire(slot, out.initSetpointJs());
-}
-suture::Errc decodeJawSetpointJsColumn(wire::JawStateRow::Reader in, JointStateSlot& slot,
-                                       suture::Duration shift) {
-  return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : suture::Errc::Invalid;
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeJawColumn(unsigned column, const std::byte* memory, wire::JawStateRow::Builder out) {
-  switch (static_cast<JawColumn>(column)) {
-    case JawColumn::configuration_js:
-      return encodeJawConfigurationJsColumn(suture::slotIn<JointConfigurationSlot>(memory), out);
-    case JawColumn::measured_js:
-      return encodeJawMeasuredJsColumn(suture::slotIn<JointStateSlot>(memory), out);
-    case JawColumn::setpoint_js:
-      return encodeJawSetpointJsColumn(suture::slotIn<JointStateSlot>(memory), out);
-  }
-}
-suture::Errc decodeJawColumn(wire::JawStateRow::Reader in, unsigned column, std::byte* memory,
-                             suture::Duration shift) {
-  switch (static_cast<JawColumn>(column)) {
-    case JawColumn::configuration_js:
-      return decodeJawConfigurationJsColumn(in, suture::newSlot<JointConfigurationSlot>(memory),
-                                            shift);
-    case JawColumn::measured_js:
-      return decodeJawMeasuredJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
-    case JawColumn::setpoint_js:
-      return decodeJawSetpointJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kJawCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Jaw>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::Jaw::ConfigurationJsParams>,
-     .result = suture::rpc::messageOf<wire::Jaw::ConfigurationJsResults, JointConfigurationSlot,
-                                      encodeJawConfigurationJsResult,
-                                      decodeJawConfigurationJsResult>,
-     .stamp = suture::rpc::stampIn<wire::Jaw::ConfigurationJsResults>},
-    {.interface = capnp::typeId<wire::Jaw>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::Jaw::MeasuredJsParams>,
-     .result = suture::rpc::messageOf<wire::Jaw::MeasuredJsResults, JointStateSlot,
-                                      encodeJawMeasuredJsResult, decodeJawMeasuredJsResult>,
-     .stamp = suture::rpc::stampIn<wire::Jaw::MeasuredJsResults>},
-    {.interface = capnp::typeId<wire::Jaw>(),
-     .method = 3,
-     .sent = suture::rpc::sentIn<wire::Jaw::SetpointJsParams>,
-     .result = suture::rpc::messageOf<wire::Jaw::SetpointJsResults, JointStateSlot,
-                                      encodeJawSetpointJsResult, decodeJawSetpointJsResult>,
-     .stamp = suture::rpc::stampIn<wire::Jaw::SetpointJsResults>},
-    {.interface = capnp::typeId<wire::Jaw>(),
-     .method = 4,
-     .sent = suture::rpc::sentIn<wire::Jaw::ServoJpParams>,
-     .arguments = suture::rpc::messageOf<wire::Jaw::ServoJpParams, JawServoJpArguments,
-                                         encodeJawServoJp, decodeJawServoJp>},
-    {.interface = capnp::typeId<wire::Jaw>(),
-     .method = 5,
-     .sent = suture::rpc::sentIn<wire::Jaw::ServoJfParams>,
-     .arguments = suture::rpc::messageOf<wire::Jaw::ServoJfParams, JawServoJfArguments,
-                                         encodeJawServoJf, decodeJawServoJf>},
-    {.interface = capnp::typeId<wire::Jaw>(),
-     .method = 6,
-     .sent = suture::rpc::sentIn<wire::Jaw::MoveJpParams>,
-     .arguments = suture::rpc::messageOf<wire::Jaw::MoveJpParams, JawMoveJpArguments,
-                                         encodeJawMoveJp, decodeJawMoveJp>},
-};
-
-constexpr suture::rpc::EventCodec kJawEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::JawEvents::StatusParams>,
-     .payload = suture::rpc::messageOf<wire::JawEvents::StatusParams, suture::MessageSlot,
-                                       encodeJawStatusEvent, decodeJawStatusEvent>},
-    {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::JawEvents::WarningParams>,
-     .payload = suture::rpc::messageOf<wire::JawEvents::WarningParams, suture::MessageSlot,
-                                       encodeJawWarningEvent, decodeJawWarningEvent>},
-    {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::JawEvents::ErrorParams>,
-     .payload = suture::rpc::messageOf<wire::JawEvents::ErrorParams, suture::MessageSlot,
-                                       encodeJawErrorEvent, decodeJawErrorEvent>},
-    {.method = 4,
-     .stamp = suture::rpc::stampIn<wire::JawEvents::GoalReachedParams>,
-     .payload = suture::rpc::messageOf<wire::JawEvents::GoalReachedParams, std::uint8_t,
-                                       encodeJawGoalReachedEvent, decodeJawGoalReachedEvent>},
-};
-
-const suture::rpc::Codec& jawCodec() {
-  static const suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Jaw>,
-      .contract = capnp::typeId<wire::Jaw>(),
-      .subscriber = capnp::typeId<wire::JawEvents>(),
-      .commands = kJawCommandCodecs,
-      .events = kJawEventCodecs,
-      .row = suture::rpc::rowOf<wire::JawEvents::StateParams, wire::JawStateRow, encodeJawColumn,
-                                decodeJawColumn>,
-  };
-  return kCodec;
 }
 
 constexpr suture::CommandInfo kJawCommands[] = {

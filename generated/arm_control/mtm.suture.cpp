@@ -1,27 +1,17 @@
 // Written by suturec from arm_control/mtm.h. Do not edit.
 #include "arm_control/mtm.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "arm_control/mtm.capnp.h"
-
-// Defined in robot_types/side.suture.cpp.
-namespace robots {
-wire::Side wireSide(std::uint8_t slot);
-bool isKnownSide(std::uint8_t slot);
-suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
-}  // namespace robots
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -68,58 +58,26 @@ void load(const MtmParametersSlot& slot, MtmParameters& value) {
   load(slot.gripper_debounce, value.gripper_debounce);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
-  out.setSide(wireSide(slot.side));
-  out.setPeriod(slot.period);
-  out.setAngularRate(slot.angular_rate);
-  out.setAngularAcceleration(slot.angular_acceleration);
-  out.setFollowingError(slot.following_error);
-  out.setJumpFactor(slot.jump_factor);
-  out.setOverloadTime(slot.overload_time);
-  out.setServoHorizon(slot.servo_horizon);
-  out.setGripperClosed(slot.gripper_closed);
-  out.setGripperDebounce(slot.gripper_debounce);
-}
-
-suture::Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.angular_rate = in.getAngularRate();
-  slot.angular_acceleration = in.getAngularAcceleration();
-  slot.following_error = in.getFollowingError();
-  slot.jump_factor = in.getJumpFactor();
-  slot.overload_time = in.getOverloadTime();
-  slot.servo_horizon = in.getServoHorizon();
-  slot.gripper_closed = in.getGripperClosed();
-  slot.gripper_debounce = in.getGripperDebounce();
-  return fromWire(in.getSide(), slot.side);
-}
-
 bool isValid(const MtmParametersSlot& slot, suture::FieldPath* path) {
   if (!isKnownSide(slot.side)) return suture::refusedAt(path, "side");
-  if (!suture::rpc::inRange(slot.angular_rate, 0.01, 20)) {
-    return suture::refusedAt(path, "angular_rate");
-  }
-  if (!suture::rpc::inRange(slot.angular_acceleration, 0.1, 1000)) {
+  if (!suture::inRange(slot.angular_rate, 0.01, 20)) return suture::refusedAt(path, "angular_rate");
+  if (!suture::inRange(slot.angular_acceleration, 0.1, 1000)) {
     return suture::refusedAt(path, "angular_acceleration");
   }
-  if (!suture::rpc::inRange(slot.following_error, 0.001, 10)) {
+  if (!suture::inRange(slot.following_error, 0.001, 10)) {
     return suture::refusedAt(path, "following_error");
   }
-  if (!suture::rpc::inRange(slot.jump_factor, 1, 1000)) {
-    return suture::refusedAt(path, "jump_factor");
-  }
-  if (!suture::rpc::inRange(slot.overload_time, 0.001, 10)) {
+  if (!suture::inRange(slot.jump_factor, 1, 1000)) return suture::refusedAt(path, "jump_factor");
+  if (!suture::inRange(slot.overload_time, 0.001, 10)) {
     return suture::refusedAt(path, "overload_time");
   }
-  if (!suture::rpc::inRange(slot.servo_horizon, 0.001, 10)) {
+  if (!suture::inRange(slot.servo_horizon, 0.001, 10)) {
     return suture::refusedAt(path, "servo_horizon");
   }
-  if (!suture::rpc::inRange(slot.gripper_closed, -0.2, 1.05)) {
+  if (!suture::inRange(slot.gripper_closed, -0.2, 1.05)) {
     return suture::refusedAt(path, "gripper_closed");
   }
-  return suture::rpc::inRange(slot.gripper_debounce, 0, 1) ||
+  return suture::inRange(slot.gripper_debounce, 0, 1) ||
       suture::refusedAt(path, "gripper_debounce");
 }
 
@@ -151,16 +109,6 @@ void fromJson(const suture::JsonReader& in, MtmParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::MtmParameters& value) {
-  return rpc::encodeAs<robots::wire::MtmParameters, robots::MtmParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::MtmParameters& value) {
-  return rpc::decodeAs<robots::wire::MtmParameters, robots::MtmParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::Mtm>() {

@@ -33,6 +33,8 @@ struct MtmParametersSlot {
 bool store(const MtmParameters& value, MtmParametersSlot& slot);
 void load(const MtmParametersSlot& slot, MtmParameters& value);
 
+bool isValid(const MtmParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, MtmParameters& value);
 

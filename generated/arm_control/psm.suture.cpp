@@ -1,20 +1,17 @@
 // Written by suturec from arm_control/psm.h. Do not edit.
 #include "arm_control/psm.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "arm_control/psm.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -70,75 +67,35 @@ void load(const PsmParametersSlot& slot, PsmParameters& value) {
   load(slot.servo_horizon, value.servo_horizon);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
-  out.setPeriod(slot.period);
-  out.setAngularRate(slot.angular_rate);
-  out.setHomeInsertion(slot.home_insertion);
-  out.setFollowingError(slot.following_error);
-  out.setInsertionRate(slot.insertion_rate);
-  out.setInsertionFollowingError(slot.insertion_following_error);
-  out.setAngularAcceleration(slot.angular_acceleration);
-  out.setInsertionAcceleration(slot.insertion_acceleration);
-  out.setJawAcceleration(slot.jaw_acceleration);
-  out.setJawRate(slot.jaw_rate);
-  out.setJumpFactor(slot.jump_factor);
-  out.setOverloadTime(slot.overload_time);
-  out.setServoHorizon(slot.servo_horizon);
-}
-
-suture::Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.angular_rate = in.getAngularRate();
-  slot.home_insertion = in.getHomeInsertion();
-  slot.following_error = in.getFollowingError();
-  slot.insertion_rate = in.getInsertionRate();
-  slot.insertion_following_error = in.getInsertionFollowingError();
-  slot.angular_acceleration = in.getAngularAcceleration();
-  slot.insertion_acceleration = in.getInsertionAcceleration();
-  slot.jaw_acceleration = in.getJawAcceleration();
-  slot.jaw_rate = in.getJawRate();
-  slot.jump_factor = in.getJumpFactor();
-  slot.overload_time = in.getOverloadTime();
-  slot.servo_horizon = in.getServoHorizon();
-  return suture::Errc{};
-}
-
 bool isValid(const PsmParametersSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.angular_rate, 0.01, 20)) {
-    return suture::refusedAt(path, "angular_rate");
-  }
-  if (!suture::rpc::inRange(slot.home_insertion, 0, 0.24)) {
+  if (!suture::inRange(slot.angular_rate, 0.01, 20)) return suture::refusedAt(path, "angular_rate");
+  if (!suture::inRange(slot.home_insertion, 0, 0.24)) {
     return suture::refusedAt(path, "home_insertion");
   }
-  if (!suture::rpc::inRange(slot.following_error, 0.001, 10)) {
+  if (!suture::inRange(slot.following_error, 0.001, 10)) {
     return suture::refusedAt(path, "following_error");
   }
-  if (!suture::rpc::inRange(slot.insertion_rate, 0.001, 2)) {
+  if (!suture::inRange(slot.insertion_rate, 0.001, 2)) {
     return suture::refusedAt(path, "insertion_rate");
   }
-  if (!suture::rpc::inRange(slot.insertion_following_error, 0.0001, 1)) {
+  if (!suture::inRange(slot.insertion_following_error, 0.0001, 1)) {
     return suture::refusedAt(path, "insertion_following_error");
   }
-  if (!suture::rpc::inRange(slot.angular_acceleration, 0.1, 1000)) {
+  if (!suture::inRange(slot.angular_acceleration, 0.1, 1000)) {
     return suture::refusedAt(path, "angular_acceleration");
   }
-  if (!suture::rpc::inRange(slot.insertion_acceleration, 0.01, 100)) {
+  if (!suture::inRange(slot.insertion_acceleration, 0.01, 100)) {
     return suture::refusedAt(path, "insertion_acceleration");
   }
-  if (!suture::rpc::inRange(slot.jaw_acceleration, 0.1, 10000)) {
+  if (!suture::inRange(slot.jaw_acceleration, 0.1, 10000)) {
     return suture::refusedAt(path, "jaw_acceleration");
   }
-  if (!suture::rpc::inRange(slot.jaw_rate, 0.01, 50)) return suture::refusedAt(path, "jaw_rate");
-  if (!suture::rpc::inRange(slot.jump_factor, 1, 1000)) {
-    return suture::refusedAt(path, "jump_factor");
-  }
-  if (!suture::rpc::inRange(slot.overload_time, 0.001, 10)) {
+  if (!suture::inRange(slot.jaw_rate, 0.01, 50)) return suture::refusedAt(path, "jaw_rate");
+  if (!suture::inRange(slot.jump_factor, 1, 1000)) return suture::refusedAt(path, "jump_factor");
+  if (!suture::inRange(slot.overload_time, 0.001, 10)) {
     return suture::refusedAt(path, "overload_time");
   }
-  return suture::rpc::inRange(slot.servo_horizon, 0.001, 10) ||
-      suture::refusedAt(path, "servo_horizon");
+  return suture::inRange(slot.servo_horizon, 0.001, 10) || suture::refusedAt(path, "servo_horizon");
 }
 
 }  // namespace robots
@@ -166,16 +123,6 @@ void fromJson(const suture::JsonReader& in, PsmParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::PsmParameters& value) {
-  return rpc::encodeAs<robots::wire::PsmParameters, robots::PsmParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::PsmParameters& value) {
-  return rpc::decodeAs<robots::wire::PsmParameters, robots::PsmParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::Psm>() {

@@ -35,6 +35,8 @@ struct PsmParametersSlot {
 bool store(const PsmParameters& value, PsmParametersSlot& slot);
 void load(const PsmParametersSlot& slot, PsmParameters& value);
 
+bool isValid(const PsmParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, PsmParameters& value);
 

@@ -1,20 +1,17 @@
 // Written by suturec from assistant/assistant.h. Do not edit.
 #include "assistant/assistant.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "assistant/assistant.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -44,24 +41,6 @@ void load(const AssistantParametersSlot& slot, AssistantParameters& value) {
   load(slot.patience, value.patience);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const AssistantParametersSlot& slot, wire::AssistantParameters::Builder out) {
-  out.setPeriod(slot.period);
-  out.setPressAfter(slot.press_after);
-  out.setReleaseAfter(slot.release_after);
-  out.setPatience(slot.patience);
-}
-
-suture::Errc fromWire(wire::AssistantParameters::Reader in, AssistantParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.press_after = in.getPressAfter();
-  slot.release_after = in.getReleaseAfter();
-  slot.patience = in.getPatience();
-  return suture::Errc{};
-}
-
 bool isValid(const AssistantParametersSlot&, suture::FieldPath*) {
   return true;
 }
@@ -82,17 +61,6 @@ void fromJson(const suture::JsonReader& in, AssistantParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::AssistantParameters& value) {
-  return rpc::encodeAs<robots::wire::AssistantParameters, robots::AssistantParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::AssistantParameters& value) {
-  return rpc::decodeAs<robots::wire::AssistantParameters,
-                       robots::AssistantParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::Assistant>() {

@@ -26,6 +26,8 @@ struct AssistantParametersSlot {
 bool store(const AssistantParameters& value, AssistantParametersSlot& slot);
 void load(const AssistantParametersSlot& slot, AssistantParameters& value);
 
+bool isValid(const AssistantParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, AssistantParameters& value);
 

@@ -1,20 +1,16 @@
 // Written by suturec from bench/block_loop.h. Do not edit.
 #include "bench/block_loop.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "bench/block_loop.capnp.h"
-
 namespace bench {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -61,84 +57,22 @@ bool store(const LargeBlock& block, LargeBlocksBounceArguments& slot) {
   return store(block, slot.block);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const SmallBlockSlot& slot, wire::SmallBlock::Builder out) {
-  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
-}
-
-suture::Errc fromWire(wire::SmallBlock::Reader in, SmallBlockSlot& slot, suture::Duration) {
-  return fromWire(in.getBytes(), slot.bytes);
-}
-
 bool isValid(const SmallBlockSlot&, suture::FieldPath*) {
   return true;
-}
-
-void toWire(const LargeBlockSlot& slot, wire::LargeBlock::Builder out) {
-  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
-}
-
-suture::Errc fromWire(wire::LargeBlock::Reader in, LargeBlockSlot& slot, suture::Duration) {
-  return fromWire(in.getBytes(), slot.bytes);
 }
 
 bool isValid(const LargeBlockSlot&, suture::FieldPath*) {
   return true;
 }
 
+// Defined in bench/block_loop.wire.cpp.
+const suture::rpc::Codec& smallBlocksCodec();
+const suture::rpc::Codec& largeBlocksCodec();
+
 namespace {
 
 bool acceptsSmallBlocksBounce(const SmallBlocksBounceArguments& slot, suture::FieldPath* path) {
   return isValid(slot.block, path) || suture::refusedAt(path, "block");
-}
-
-// --- SmallBlocks as Cap'n Proto
-
-void encodeSmallBlocksBounce(const SmallBlocksBounceArguments& slot,
-                             wire::SmallBlocks::BounceParams::Builder out) {
-  toWire(slot.block, out.initBlock());
-}
-suture::Errc decodeSmallBlocksBounce(wire::SmallBlocks::BounceParams::Reader in,
-                                     SmallBlocksBounceArguments& slot, suture::Duration shift) {
-  return in.hasBlock() ? fromWire(in.getBlock(), slot.block, shift) : suture::Errc::Invalid;
-}
-
-void encodeSmallBlocksEchoEvent(const SmallBlockSlot& slot,
-                                wire::SmallBlocksEvents::EchoParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeSmallBlocksEchoEvent(wire::SmallBlocksEvents::EchoParams::Reader in,
-                                        SmallBlockSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kSmallBlocksCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::SmallBlocks>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::SmallBlocks::BounceParams>,
-     .arguments = suture::rpc::messageOf<wire::SmallBlocks::BounceParams,
-                                         SmallBlocksBounceArguments, encodeSmallBlocksBounce,
-                                         decodeSmallBlocksBounce>},
-};
-
-constexpr suture::rpc::EventCodec kSmallBlocksEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::SmallBlocksEvents::EchoParams>,
-     .payload = suture::rpc::messageOf<wire::SmallBlocksEvents::EchoParams, SmallBlockSlot,
-                                       encodeSmallBlocksEchoEvent, decodeSmallBlocksEchoEvent>},
-};
-
-const suture::rpc::Codec& smallBlocksCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::SmallBlocks>,
-      .contract = capnp::typeId<wire::SmallBlocks>(),
-      .subscriber = capnp::typeId<wire::SmallBlocksEvents>(),
-      .commands = kSmallBlocksCommandCodecs,
-      .events = kSmallBlocksEventCodecs,
-      .row = suture::rpc::rowOf<wire::SmallBlocksEvents::StateParams, wire::SmallBlocksStateRow>,
-  };
-  return kCodec;
 }
 
 constexpr suture::CommandInfo kSmallBlocksCommands[] = {
@@ -182,54 +116,6 @@ constexpr char kSmallBlocksDescription[] = R"json(
 
 bool acceptsLargeBlocksBounce(const LargeBlocksBounceArguments& slot, suture::FieldPath* path) {
   return isValid(slot.block, path) || suture::refusedAt(path, "block");
-}
-
-// --- LargeBlocks as Cap'n Proto
-
-void encodeLargeBlocksBounce(const LargeBlocksBounceArguments& slot,
-                             wire::LargeBlocks::BounceParams::Builder out) {
-  toWire(slot.block, out.initBlock());
-}
-suture::Errc decodeLargeBlocksBounce(wire::LargeBlocks::BounceParams::Reader in,
-                                     LargeBlocksBounceArguments& slot, suture::Duration shift) {
-  return in.hasBlock() ? fromWire(in.getBlock(), slot.block, shift) : suture::Errc::Invalid;
-}
-
-void encodeLargeBlocksEchoEvent(const LargeBlockSlot& slot,
-                                wire::LargeBlocksEvents::EchoParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeLargeBlocksEchoEvent(wire::LargeBlocksEvents::EchoParams::Reader in,
-                                        LargeBlockSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kLargeBlocksCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::LargeBlocks>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::LargeBlocks::BounceParams>,
-     .arguments = suture::rpc::messageOf<wire::LargeBlocks::BounceParams,
-                                         LargeBlocksBounceArguments, encodeLargeBlocksBounce,
-                                         decodeLargeBlocksBounce>},
-};
-
-constexpr suture::rpc::EventCodec kLargeBlocksEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::LargeBlocksEvents::EchoParams>,
-     .payload = suture::rpc::messageOf<wire::LargeBlocksEvents::EchoParams, LargeBlockSlot,
-                                       encodeLargeBlocksEchoEvent, decodeLargeBlocksEchoEvent>},
-};
-
-const suture::rpc::Codec& largeBlocksCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::LargeBlocks>,
-      .contract = capnp::typeId<wire::LargeBlocks>(),
-      .subscriber = capnp::typeId<wire::LargeBlocksEvents>(),
-      .commands = kLargeBlocksCommandCodecs,
-      .events = kLargeBlocksEventCodecs,
-      .row = suture::rpc::rowOf<wire::LargeBlocksEvents::StateParams, wire::LargeBlocksStateRow>,
-  };
-  return kCodec;
 }
 
 constexpr suture::BoundedLevel kLargeBlocksBounceArgumentsLevels[] = {
@@ -286,26 +172,6 @@ constexpr char kLargeBlocksDescription[] = R"json(
 }  // namespace bench
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const bench::SmallBlock& value) {
-  return rpc::encodeAs<bench::wire::SmallBlock, bench::SmallBlockSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, bench::SmallBlock& value) {
-  return rpc::decodeAs<bench::wire::SmallBlock, bench::SmallBlockSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const bench::LargeBlock& value) {
-  return rpc::encodeAs<bench::wire::LargeBlock, bench::LargeBlockSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, bench::LargeBlock& value) {
-  return rpc::decodeAs<bench::wire::LargeBlock, bench::LargeBlockSlot>(bytes, value);
-}
 
 template <>
 const InterfaceInfo& interfaceInfo<bench::SmallBlocks>() {

@@ -30,6 +30,9 @@ bool store(const LargeBlock& value, LargeBlockSlot& slot);
 void load(const LargeBlockSlot& slot, LargeBlock& value);
 void reserve(const LargeBlockSlot*, LargeBlock& value);
 
+bool isValid(const SmallBlockSlot& slot, suture::FieldPath* path);
+bool isValid(const LargeBlockSlot& slot, suture::FieldPath* path);
+
 // --- SmallBlocks: the arguments of its commands ---
 
 struct SmallBlocksBounceArguments {

@@ -1,26 +1,16 @@
 // Written by suturec from bench/loop.h. Do not edit.
 #include "bench/loop.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "bench/loop.capnp.h"
-
-// Defined in robot_types/pose.suture.cpp.
-namespace robots {
-void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out);
-suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift);
-bool isValid(const PosePrmSlot& slot, suture::FieldPath* path);
-}  // namespace robots
-
 namespace bench {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 bool store(const robots::PosePrm& value, LoopServerPutArguments& slot) {
@@ -39,6 +29,9 @@ void shiftStamps(LoopServerBounceArguments& slot, suture::Duration shift) {
   shiftStamps(slot.value, shift);
 }
 
+// Defined in bench/loop.wire.cpp.
+const suture::rpc::Codec& loopServerCodec();
+
 namespace {
 
 bool acceptsLoopServerPut(const LoopServerPutArguments& slot, suture::FieldPath* path) {
@@ -47,109 +40,6 @@ bool acceptsLoopServerPut(const LoopServerPutArguments& slot, suture::FieldPath*
 
 bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot, suture::FieldPath* path) {
   return isValid(slot.value, path) || suture::refusedAt(path, "value");
-}
-
-// --- LoopServer as Cap'n Proto
-
-void encodeLoopServerPut(const LoopServerPutArguments& slot,
-                         wire::LoopServer::PutParams::Builder out) {
-  toWire(slot.value, out.initValue());
-}
-suture::Errc decodeLoopServerPut(wire::LoopServer::PutParams::Reader in,
-                                 LoopServerPutArguments& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
-}
-
-void encodeLoopServerBounce(const LoopServerBounceArguments& slot,
-                            wire::LoopServer::BounceParams::Builder out) {
-  toWire(slot.value, out.initValue());
-}
-suture::Errc decodeLoopServerBounce(wire::LoopServer::BounceParams::Reader in,
-                                    LoopServerBounceArguments& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
-}
-
-void encodeLoopServerValueResult(const robots::PosePrmSlot& slot,
-                                 wire::LoopServer::ValueResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeLoopServerValueResult(wire::LoopServer::ValueResults::Reader in,
-                                         robots::PosePrmSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeLoopServerEchoEvent(const robots::PosePrmSlot& slot,
-                               wire::LoopServerEvents::EchoParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeLoopServerEchoEvent(wire::LoopServerEvents::EchoParams::Reader in,
-                                       robots::PosePrmSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeLoopServerValueColumn(const robots::PosePrmSlot& slot,
-                                 wire::LoopServerStateRow::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeLoopServerValueColumn(wire::LoopServerStateRow::Reader in,
-                                         robots::PosePrmSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeLoopServerColumn(unsigned column, const std::byte* memory,
-                            wire::LoopServerStateRow::Builder out) {
-  switch (static_cast<LoopServerColumn>(column)) {
-    case LoopServerColumn::value:
-      return encodeLoopServerValueColumn(suture::slotIn<robots::PosePrmSlot>(memory), out);
-  }
-}
-suture::Errc decodeLoopServerColumn(wire::LoopServerStateRow::Reader in, unsigned column,
-                                    std::byte* memory, suture::Duration shift) {
-  switch (static_cast<LoopServerColumn>(column)) {
-    case LoopServerColumn::value:
-      return decodeLoopServerValueColumn(in, suture::newSlot<robots::PosePrmSlot>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kLoopServerCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::LoopServer>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::LoopServer::PutParams>,
-     .arguments = suture::rpc::messageOf<wire::LoopServer::PutParams, LoopServerPutArguments,
-                                         encodeLoopServerPut, decodeLoopServerPut>},
-    {.interface = capnp::typeId<wire::LoopServer>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::LoopServer::BounceParams>,
-     .arguments = suture::rpc::messageOf<wire::LoopServer::BounceParams, LoopServerBounceArguments,
-                                         encodeLoopServerBounce, decodeLoopServerBounce>},
-    {.interface = capnp::typeId<wire::LoopServer>(),
-     .method = 3,
-     .sent = suture::rpc::sentIn<wire::LoopServer::ValueParams>,
-     .result = suture::rpc::messageOf<wire::LoopServer::ValueResults, robots::PosePrmSlot,
-                                      encodeLoopServerValueResult, decodeLoopServerValueResult>,
-     .stamp = suture::rpc::stampIn<wire::LoopServer::ValueResults>},
-};
-
-constexpr suture::rpc::EventCodec kLoopServerEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::LoopServerEvents::EchoParams>,
-     .payload = suture::rpc::messageOf<wire::LoopServerEvents::EchoParams, robots::PosePrmSlot,
-                                       encodeLoopServerEchoEvent, decodeLoopServerEchoEvent>},
-};
-
-const suture::rpc::Codec& loopServerCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::LoopServer>,
-      .contract = capnp::typeId<wire::LoopServer>(),
-      .subscriber = capnp::typeId<wire::LoopServerEvents>(),
-      .commands = kLoopServerCommandCodecs,
-      .events = kLoopServerEventCodecs,
-      .row = suture::rpc::rowOf<wire::LoopServerEvents::StateParams, wire::LoopServerStateRow,
-                                encodeLoopServerColumn, decodeLoopServerColumn>,
-  };
-  return kCodec;
 }
 
 constexpr suture::CommandInfo kLoopServerCommands[] = {

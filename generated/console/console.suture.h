@@ -12,6 +12,8 @@
 
 namespace robots {
 
+bool isKnownConsoleState(std::uint8_t slot);
+
 /// Names the numbers of Console's commands in every table and record.
 enum class ConsoleCommand : std::uint16_t {
   bring_up,

@@ -1,20 +1,17 @@
 // Written by suturec from console/system_console.h. Do not edit.
 #include "console/system_console.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "console/system_console.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -48,23 +45,6 @@ void reserve(const SystemConsoleParametersSlot*, SystemConsoleParameters& value)
   suture::reserveFor<decltype(SystemConsoleParametersSlot::system)>(value.system);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const SystemConsoleParametersSlot& slot, wire::SystemConsoleParameters::Builder out) {
-  out.setPeriod(slot.period);
-  toWire(slot.system, out.initSystem(sizeOf(slot.system)));
-  out.setPatience(slot.patience);
-  out.setBringUpByItself(slot.bring_up_by_itself != 0);
-}
-
-suture::Errc fromWire(wire::SystemConsoleParameters::Reader in, SystemConsoleParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.patience = in.getPatience();
-  slot.bring_up_by_itself = in.getBringUpByItself();
-  return fromWire(in.getSystem(), slot.system);
-}
-
 bool isValid(const SystemConsoleParametersSlot&, suture::FieldPath*) {
   return true;
 }
@@ -85,18 +65,6 @@ void fromJson(const suture::JsonReader& in, SystemConsoleParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::SystemConsoleParameters& value) {
-  return rpc::encodeAs<robots::wire::SystemConsoleParameters,
-                       robots::SystemConsoleParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::SystemConsoleParameters& value) {
-  return rpc::decodeAs<robots::wire::SystemConsoleParameters,
-                       robots::SystemConsoleParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::SystemConsole>() {

@@ -29,6 +29,8 @@ bool store(const SystemConsoleParameters& value, SystemConsoleParametersSlot& sl
 void load(const SystemConsoleParametersSlot& slot, SystemConsoleParameters& value);
 void reserve(const SystemConsoleParametersSlot*, SystemConsoleParameters& value);
 
+bool isValid(const SystemConsoleParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, SystemConsoleParameters& value);
 

@@ -1,20 +1,17 @@
 // Written by suturec from coordinator/coordinator.h. Do not edit.
 #include "coordinator/coordinator.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "coordinator/coordinator.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -34,18 +31,6 @@ void load(const CoordinatorParametersSlot& slot, CoordinatorParameters& value) {
   load(slot.period, value.period);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const CoordinatorParametersSlot& slot, wire::CoordinatorParameters::Builder out) {
-  out.setPeriod(slot.period);
-}
-
-suture::Errc fromWire(wire::CoordinatorParameters::Reader in, CoordinatorParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  return suture::Errc{};
-}
-
 bool isValid(const CoordinatorParametersSlot&, suture::FieldPath*) {
   return true;
 }
@@ -63,18 +48,6 @@ void fromJson(const suture::JsonReader& in, CoordinatorParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::CoordinatorParameters& value) {
-  return rpc::encodeAs<robots::wire::CoordinatorParameters,
-                       robots::CoordinatorParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::CoordinatorParameters& value) {
-  return rpc::decodeAs<robots::wire::CoordinatorParameters,
-                       robots::CoordinatorParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::Coordinator>() {

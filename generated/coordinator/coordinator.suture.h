@@ -21,6 +21,8 @@ struct CoordinatorParametersSlot {
 bool store(const CoordinatorParameters& value, CoordinatorParametersSlot& slot);
 void load(const CoordinatorParametersSlot& slot, CoordinatorParameters& value);
 
+bool isValid(const CoordinatorParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, CoordinatorParameters& value);
 

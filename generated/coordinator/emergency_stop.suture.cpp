@@ -1,20 +1,16 @@
 // Written by suturec from coordinator/emergency_stop.h. Do not edit.
 #include "coordinator/emergency_stop.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "coordinator/emergency_stop.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -59,121 +55,18 @@ void shiftStamps(StopNewsSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const PermitSlot& slot, wire::Permit::Builder out) {
-  out.setGranted(slot.granted != 0);
-  out.setStamp(slot.stamp);
-}
-
-suture::Errc fromWire(wire::Permit::Reader in, PermitSlot& slot, suture::Duration shift) {
-  slot.granted = in.getGranted();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::Errc{};
-}
-
 bool isValid(const PermitSlot&, suture::FieldPath*) {
   return true;
-}
-
-void toWire(const StopNewsSlot& slot, wire::StopNews::Builder out) {
-  out.setPressed(slot.pressed != 0);
-  out.setStamp(slot.stamp);
-}
-
-suture::Errc fromWire(wire::StopNews::Reader in, StopNewsSlot& slot, suture::Duration shift) {
-  slot.pressed = in.getPressed();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::Errc{};
 }
 
 bool isValid(const StopNewsSlot&, suture::FieldPath*) {
   return true;
 }
 
+// Defined in coordinator/emergency_stop.wire.cpp.
+const suture::rpc::Codec& emergencyStopCodec();
+
 namespace {
-
-// --- EmergencyStop as Cap'n Proto
-
-void encodeEmergencyStopPermitResult(const PermitSlot& slot,
-                                     wire::EmergencyStop::PermitResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeEmergencyStopPermitResult(wire::EmergencyStop::PermitResults::Reader in,
-                                             PermitSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeEmergencyStopStopEvent(const StopNewsSlot& slot,
-                                  wire::EmergencyStopEvents::StopParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeEmergencyStopStopEvent(wire::EmergencyStopEvents::StopParams::Reader in,
-                                          StopNewsSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeEmergencyStopPermitColumn(const PermitSlot& slot,
-                                     wire::EmergencyStopStateRow::Builder out) {
-  toWire(slot, out.initPermit());
-}
-suture::Errc decodeEmergencyStopPermitColumn(wire::EmergencyStopStateRow::Reader in,
-                                             PermitSlot& slot, suture::Duration shift) {
-  return in.hasPermit() ? fromWire(in.getPermit(), slot, shift) : suture::Errc::Invalid;
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeEmergencyStopColumn(unsigned column, const std::byte* memory,
-                               wire::EmergencyStopStateRow::Builder out) {
-  switch (static_cast<EmergencyStopColumn>(column)) {
-    case EmergencyStopColumn::permit:
-      return encodeEmergencyStopPermitColumn(suture::slotIn<PermitSlot>(memory), out);
-  }
-}
-suture::Errc decodeEmergencyStopColumn(wire::EmergencyStopStateRow::Reader in, unsigned column,
-                                       std::byte* memory, suture::Duration shift) {
-  switch (static_cast<EmergencyStopColumn>(column)) {
-    case EmergencyStopColumn::permit:
-      return decodeEmergencyStopPermitColumn(in, suture::newSlot<PermitSlot>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kEmergencyStopCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::EmergencyStop>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::EmergencyStop::PressParams>},
-    {.interface = capnp::typeId<wire::EmergencyStop>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::EmergencyStop::ReleaseParams>},
-    {.interface = capnp::typeId<wire::EmergencyStop>(),
-     .method = 3,
-     .sent = suture::rpc::sentIn<wire::EmergencyStop::PermitParams>,
-     .result = suture::rpc::messageOf<wire::EmergencyStop::PermitResults, PermitSlot,
-                                      encodeEmergencyStopPermitResult,
-                                      decodeEmergencyStopPermitResult>,
-     .stamp = suture::rpc::stampIn<wire::EmergencyStop::PermitResults>},
-};
-
-constexpr suture::rpc::EventCodec kEmergencyStopEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::EmergencyStopEvents::StopParams>,
-     .payload = suture::rpc::messageOf<wire::EmergencyStopEvents::StopParams, StopNewsSlot,
-                                       encodeEmergencyStopStopEvent, decodeEmergencyStopStopEvent>},
-};
-
-const suture::rpc::Codec& emergencyStopCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::EmergencyStop>,
-      .contract = capnp::typeId<wire::EmergencyStop>(),
-      .subscriber = capnp::typeId<wire::EmergencyStopEvents>(),
-      .commands = kEmergencyStopCommandCodecs,
-      .events = kEmergencyStopEventCodecs,
-      .row = suture::rpc::rowOf<wire::EmergencyStopEvents::StateParams, wire::EmergencyStopStateRow,
-                                encodeEmergencyStopColumn, decodeEmergencyStopColumn>,
-  };
-  return kCodec;
-}
 
 constexpr suture::CommandInfo kEmergencyStopCommands[] = {
     {.name = "press", .kind = suture::CommandKind::Void, .depth = 16},
@@ -240,26 +133,6 @@ constexpr char kEmergencyStopDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::Permit& value) {
-  return rpc::encodeAs<robots::wire::Permit, robots::PermitSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::Permit& value) {
-  return rpc::decodeAs<robots::wire::Permit, robots::PermitSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::StopNews& value) {
-  return rpc::encodeAs<robots::wire::StopNews, robots::StopNewsSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::StopNews& value) {
-  return rpc::decodeAs<robots::wire::StopNews, robots::StopNewsSlot>(bytes, value);
-}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::EmergencyStop>() {

@@ -33,6 +33,9 @@ bool store(const StopNews& value, StopNewsSlot& slot);
 void load(const StopNewsSlot& slot, StopNews& value);
 void shiftStamps(StopNewsSlot& slot, suture::Duration shift);
 
+bool isValid(const PermitSlot& slot, suture::FieldPath* path);
+bool isValid(const StopNewsSlot& slot, suture::FieldPath* path);
+
 /// Names the numbers of EmergencyStop's commands in every table and record.
 enum class EmergencyStopCommand : std::uint16_t {
   press,

@@ -1,20 +1,17 @@
 // Written by suturec from drives/drive_dynamics.h. Do not edit.
 #include "drives/drive_dynamics.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "drives/drive_dynamics.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -52,16 +49,6 @@ void load(const RigidBodyOptionsSlot& slot, RigidBodyOptions& value) {
   load(slot.current_gain, value.current_gain);
 }
 
-// --- between slots and Cap'n Proto
-
-wire::DriveDynamics wireDriveDynamics(std::uint8_t slot) {
-  switch (static_cast<DriveDynamics>(slot)) {
-    case DriveDynamics::Lag: return wire::DriveDynamics::LAG;
-    case DriveDynamics::RigidBody: return wire::DriveDynamics::RIGID_BODY;
-  }
-  return wire::DriveDynamics{};
-}
-
 bool isKnownDriveDynamics(std::uint8_t slot) {
   switch (static_cast<DriveDynamics>(slot)) {
     case DriveDynamics::Lag:
@@ -71,40 +58,9 @@ bool isKnownDriveDynamics(std::uint8_t slot) {
   return false;
 }
 
-suture::Errc fromWire(wire::DriveDynamics in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::DriveDynamics::LAG: return slot =
-        static_cast<std::uint8_t>(DriveDynamics::Lag), suture::Errc{};
-    case wire::DriveDynamics::RIGID_BODY: return slot =
-        static_cast<std::uint8_t>(DriveDynamics::RigidBody), suture::Errc{};
-  }
-  return suture::Errc::Invalid;
-}
-
-void toWire(const RigidBodyOptionsSlot& slot, wire::RigidBodyOptions::Builder out) {
-  out.setGravityCompensation(slot.gravity_compensation != 0);
-  out.setQuantisation(slot.quantisation != 0);
-  out.setNoise(slot.noise);
-  out.setSeed(slot.seed);
-  out.setBrakes(slot.brakes != 0);
-  out.setCurrentGain(slot.current_gain);
-}
-
-suture::Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot,
-                      suture::Duration) {
-  slot.gravity_compensation = in.getGravityCompensation();
-  slot.quantisation = in.getQuantisation();
-  slot.noise = in.getNoise();
-  slot.seed = in.getSeed();
-  slot.brakes = in.getBrakes();
-  slot.current_gain = in.getCurrentGain();
-  return suture::Errc{};
-}
-
 bool isValid(const RigidBodyOptionsSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.noise, 0, 1000)) return suture::refusedAt(path, "noise");
-  return suture::rpc::inRange(slot.current_gain, 0.1, 100) ||
-      suture::refusedAt(path, "current_gain");
+  if (!suture::inRange(slot.noise, 0, 1000)) return suture::refusedAt(path, "noise");
+  return suture::inRange(slot.current_gain, 0.1, 100) || suture::refusedAt(path, "current_gain");
 }
 
 }  // namespace robots
@@ -129,17 +85,3 @@ void fromJson(const suture::JsonReader& in, RigidBodyOptions& value) {
 }
 
 }  // namespace robots
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::RigidBodyOptions& value) {
-  return rpc::encodeAs<robots::wire::RigidBodyOptions, robots::RigidBodyOptionsSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::RigidBodyOptions& value) {
-  return rpc::decodeAs<robots::wire::RigidBodyOptions, robots::RigidBodyOptionsSlot>(bytes, value);
-}
-
-}  // namespace suture

@@ -21,6 +21,9 @@ struct RigidBodyOptionsSlot {
 bool store(const RigidBodyOptions& value, RigidBodyOptionsSlot& slot);
 void load(const RigidBodyOptionsSlot& slot, RigidBodyOptions& value);
 
+bool isKnownDriveDynamics(std::uint8_t slot);
+bool isValid(const RigidBodyOptionsSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

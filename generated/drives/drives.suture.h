@@ -40,6 +40,10 @@ struct DriveGoalSlot {
 bool store(const DriveGoal& value, DriveGoalSlot& slot);
 void load(const DriveGoalSlot& slot, DriveGoal& value);
 
+bool isKnownDrivePower(std::uint8_t slot);
+bool isValid(const DriveFeedbackSlot& slot, suture::FieldPath* path);
+bool isValid(const DriveGoalSlot& slot, suture::FieldPath* path);
+
 // --- Drives: the arguments of its commands ---
 
 struct DrivesPowerOnArguments {

@@ -1,62 +1,29 @@
 // Written by suturec from drives/gripper_hand.h. Do not edit.
 #include "drives/gripper_hand.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "drives/gripper_hand.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 bool store(const double& angle, GripperHandSqueezeArguments& slot) {
   return store(angle, slot.angle);
 }
 
+// Defined in drives/gripper_hand.wire.cpp.
+const suture::rpc::Codec& gripperHandCodec();
+
 namespace {
 
 bool acceptsGripperHandSqueeze(const GripperHandSqueezeArguments& slot, suture::FieldPath* path) {
   return isValid(slot.angle) || suture::refusedAt(path, "angle");
-}
-
-// --- GripperHand as Cap'n Proto
-
-void encodeGripperHandSqueeze(const GripperHandSqueezeArguments& slot,
-                              wire::GripperHand::SqueezeParams::Builder out) {
-  out.setAngle(slot.angle);
-}
-suture::Errc decodeGripperHandSqueeze(wire::GripperHand::SqueezeParams::Reader in,
-                                      GripperHandSqueezeArguments& slot, suture::Duration) {
-  slot.angle = in.getAngle();
-  return suture::Errc{};
-}
-
-constexpr suture::rpc::CommandCodec kGripperHandCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::GripperHand>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::GripperHand::SqueezeParams>,
-     .arguments = suture::rpc::messageOf<wire::GripperHand::SqueezeParams,
-                                         GripperHandSqueezeArguments, encodeGripperHandSqueeze,
-                                         decodeGripperHandSqueeze>},
-};
-
-const suture::rpc::Codec& gripperHandCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::GripperHand>,
-      .contract = capnp::typeId<wire::GripperHand>(),
-      .subscriber = capnp::typeId<wire::GripperHandEvents>(),
-      .commands = kGripperHandCommandCodecs,
-      .events = {},
-      .row = suture::rpc::rowOf<wire::GripperHandEvents::StateParams, wire::GripperHandStateRow>,
-  };
-  return kCodec;
 }
 
 constexpr suture::CommandInfo kGripperHandCommands[] = {

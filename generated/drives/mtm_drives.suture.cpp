@@ -1,38 +1,17 @@
 // Written by suturec from drives/mtm_drives.h. Do not edit.
 #include "drives/mtm_drives.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "drives/mtm_drives.capnp.h"
-
-// Defined in drives/drive_dynamics.suture.cpp.
-namespace robots {
-wire::DriveDynamics wireDriveDynamics(std::uint8_t slot);
-bool isKnownDriveDynamics(std::uint8_t slot);
-suture::Errc fromWire(wire::DriveDynamics in, std::uint8_t& slot);
-void toWire(const RigidBodyOptionsSlot& slot, wire::RigidBodyOptions::Builder out);
-suture::Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot,
-                      suture::Duration shift);
-bool isValid(const RigidBodyOptionsSlot& slot, suture::FieldPath* path);
-}  // namespace robots
-
-// Defined in robot_types/side.suture.cpp.
-namespace robots {
-wire::Side wireSide(std::uint8_t slot);
-bool isKnownSide(std::uint8_t slot);
-suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
-}  // namespace robots
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -70,39 +49,12 @@ void load(const MtmDrivesParametersSlot& slot, MtmDrivesParameters& value) {
   load(slot.rigid_body, value.rigid_body);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const MtmDrivesParametersSlot& slot, wire::MtmDrivesParameters::Builder out) {
-  out.setSide(wireSide(slot.side));
-  out.setPeriod(slot.period);
-  out.setTimeConstant(slot.time_constant);
-  out.setAngularRate(slot.angular_rate);
-  out.setPermit(slot.permit);
-  out.setDynamics(wireDriveDynamics(slot.dynamics));
-  toWire(slot.rigid_body, out.initRigidBody());
-}
-
-suture::Errc fromWire(wire::MtmDrivesParameters::Reader in, MtmDrivesParametersSlot& slot,
-                      suture::Duration shift) {
-  slot.period = in.getPeriod();
-  slot.time_constant = in.getTimeConstant();
-  slot.angular_rate = in.getAngularRate();
-  slot.permit = in.getPermit();
-  return suture::rpc::firstError({
-      fromWire(in.getSide(), slot.side),
-      fromWire(in.getDynamics(), slot.dynamics),
-      fromWire(in.getRigidBody(), slot.rigid_body, shift),
-  });
-}
-
 bool isValid(const MtmDrivesParametersSlot& slot, suture::FieldPath* path) {
   if (!isKnownSide(slot.side)) return suture::refusedAt(path, "side");
-  if (!suture::rpc::inRange(slot.time_constant, 0.0001, 10)) {
+  if (!suture::inRange(slot.time_constant, 0.0001, 10)) {
     return suture::refusedAt(path, "time_constant");
   }
-  if (!suture::rpc::inRange(slot.angular_rate, 0.01, 20)) {
-    return suture::refusedAt(path, "angular_rate");
-  }
+  if (!suture::inRange(slot.angular_rate, 0.01, 20)) return suture::refusedAt(path, "angular_rate");
   if (!isKnownDriveDynamics(slot.dynamics)) return suture::refusedAt(path, "dynamics");
   return isValid(slot.rigid_body, path) || suture::refusedAt(path, "rigid_body");
 }
@@ -137,17 +89,6 @@ void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::MtmDrivesParameters& value) {
-  return rpc::encodeAs<robots::wire::MtmDrivesParameters, robots::MtmDrivesParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::MtmDrivesParameters& value) {
-  return rpc::decodeAs<robots::wire::MtmDrivesParameters,
-                       robots::MtmDrivesParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::MtmDrives>() {

@@ -31,6 +31,8 @@ struct MtmDrivesParametersSlot {
 bool store(const MtmDrivesParameters& value, MtmDrivesParametersSlot& slot);
 void load(const MtmDrivesParametersSlot& slot, MtmDrivesParameters& value);
 
+bool isValid(const MtmDrivesParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value);
 

@@ -1,31 +1,17 @@
 // Written by suturec from drives/psm_drives.h. Do not edit.
 #include "drives/psm_drives.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "drives/psm_drives.capnp.h"
-
-// Defined in drives/drive_dynamics.suture.cpp.
-namespace robots {
-wire::DriveDynamics wireDriveDynamics(std::uint8_t slot);
-bool isKnownDriveDynamics(std::uint8_t slot);
-suture::Errc fromWire(wire::DriveDynamics in, std::uint8_t& slot);
-void toWire(const RigidBodyOptionsSlot& slot, wire::RigidBodyOptions::Builder out);
-suture::Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot,
-                      suture::Duration shift);
-bool isValid(const RigidBodyOptionsSlot& slot, suture::FieldPath* path);
-}  // namespace robots
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -66,44 +52,15 @@ void load(const PsmDrivesParametersSlot& slot, PsmDrivesParameters& value) {
   load(slot.rigid_body, value.rigid_body);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const PsmDrivesParametersSlot& slot, wire::PsmDrivesParameters::Builder out) {
-  out.setPeriod(slot.period);
-  out.setTimeConstant(slot.time_constant);
-  out.setAngularRate(slot.angular_rate);
-  out.setInsertionRate(slot.insertion_rate);
-  out.setJawRate(slot.jaw_rate);
-  out.setPermit(slot.permit);
-  out.setDynamics(wireDriveDynamics(slot.dynamics));
-  toWire(slot.rigid_body, out.initRigidBody());
-}
-
-suture::Errc fromWire(wire::PsmDrivesParameters::Reader in, PsmDrivesParametersSlot& slot,
-                      suture::Duration shift) {
-  slot.period = in.getPeriod();
-  slot.time_constant = in.getTimeConstant();
-  slot.angular_rate = in.getAngularRate();
-  slot.insertion_rate = in.getInsertionRate();
-  slot.jaw_rate = in.getJawRate();
-  slot.permit = in.getPermit();
-  return suture::rpc::firstError({
-      fromWire(in.getDynamics(), slot.dynamics),
-      fromWire(in.getRigidBody(), slot.rigid_body, shift),
-  });
-}
-
 bool isValid(const PsmDrivesParametersSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.time_constant, 0.0001, 10)) {
+  if (!suture::inRange(slot.time_constant, 0.0001, 10)) {
     return suture::refusedAt(path, "time_constant");
   }
-  if (!suture::rpc::inRange(slot.angular_rate, 0.01, 20)) {
-    return suture::refusedAt(path, "angular_rate");
-  }
-  if (!suture::rpc::inRange(slot.insertion_rate, 0.001, 2)) {
+  if (!suture::inRange(slot.angular_rate, 0.01, 20)) return suture::refusedAt(path, "angular_rate");
+  if (!suture::inRange(slot.insertion_rate, 0.001, 2)) {
     return suture::refusedAt(path, "insertion_rate");
   }
-  if (!suture::rpc::inRange(slot.jaw_rate, 0.01, 50)) return suture::refusedAt(path, "jaw_rate");
+  if (!suture::inRange(slot.jaw_rate, 0.01, 50)) return suture::refusedAt(path, "jaw_rate");
   if (!isKnownDriveDynamics(slot.dynamics)) return suture::refusedAt(path, "dynamics");
   return isValid(slot.rigid_body, path) || suture::refusedAt(path, "rigid_body");
 }
@@ -134,17 +91,6 @@ void fromJson(const suture::JsonReader& in, PsmDrivesParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::PsmDrivesParameters& value) {
-  return rpc::encodeAs<robots::wire::PsmDrivesParameters, robots::PsmDrivesParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::PsmDrivesParameters& value) {
-  return rpc::decodeAs<robots::wire::PsmDrivesParameters,
-                       robots::PsmDrivesParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::PsmDrives>() {

@@ -30,6 +30,8 @@ struct PsmDrivesParametersSlot {
 bool store(const PsmDrivesParameters& value, PsmDrivesParametersSlot& slot);
 void load(const PsmDrivesParametersSlot& slot, PsmDrivesParameters& value);
 
+bool isValid(const PsmDrivesParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, PsmDrivesParameters& value);
 

@@ -1,20 +1,16 @@
 // Written by suturec from guidance/guidance.h. Do not edit.
 #include "guidance/guidance.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "guidance/guidance.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -57,19 +53,6 @@ void shiftStamps(GuidanceProgressSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
-// --- between slots and Cap'n Proto
-
-wire::GuidanceState wireGuidanceState(std::uint8_t slot) {
-  switch (static_cast<GuidanceState>(slot)) {
-    case GuidanceState::Preparing: return wire::GuidanceState::PREPARING;
-    case GuidanceState::Blind: return wire::GuidanceState::BLIND;
-    case GuidanceState::Guiding: return wire::GuidanceState::GUIDING;
-    case GuidanceState::Disabled: return wire::GuidanceState::DISABLED;
-    case GuidanceState::Clutched: return wire::GuidanceState::CLUTCHED;
-  }
-  return wire::GuidanceState{};
-}
-
 bool isKnownGuidanceState(std::uint8_t slot) {
   switch (static_cast<GuidanceState>(slot)) {
     case GuidanceState::Preparing:
@@ -82,45 +65,14 @@ bool isKnownGuidanceState(std::uint8_t slot) {
   return false;
 }
 
-suture::Errc fromWire(wire::GuidanceState in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::GuidanceState::PREPARING: return slot =
-        static_cast<std::uint8_t>(GuidanceState::Preparing), suture::Errc{};
-    case wire::GuidanceState::BLIND: return slot =
-        static_cast<std::uint8_t>(GuidanceState::Blind), suture::Errc{};
-    case wire::GuidanceState::GUIDING: return slot =
-        static_cast<std::uint8_t>(GuidanceState::Guiding), suture::Errc{};
-    case wire::GuidanceState::DISABLED: return slot =
-        static_cast<std::uint8_t>(GuidanceState::Disabled), suture::Errc{};
-    case wire::GuidanceState::CLUTCHED: return slot =
-        static_cast<std::uint8_t>(GuidanceState::Clutched), suture::Errc{};
-  }
-  return suture::Errc::Invalid;
-}
-
-void toWire(const GuidanceProgressSlot& slot, wire::GuidanceProgress::Builder out) {
-  toWire(slot.knot, out.initKnot());
-  out.setDistanceToTarget(slot.distance_to_target);
-  out.setLateralError(slot.lateral_error);
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::GuidanceProgress::Reader in, GuidanceProgressSlot& slot,
-                      suture::Duration shift) {
-  slot.distance_to_target = in.getDistanceToTarget();
-  slot.lateral_error = in.getLateralError();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return in.hasKnot() ? fromWire(in.getKnot(), slot.knot)
-      : suture::rpc::fromDefault(GuidanceProgress().knot, slot.knot);
-}
-
 bool isValid(const GuidanceProgressSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.knot, path)) return suture::refusedAt(path, "knot");
   if (!isValid(slot.distance_to_target)) return suture::refusedAt(path, "distance_to_target");
   return isValid(slot.lateral_error) || suture::refusedAt(path, "lateral_error");
 }
+
+// Defined in guidance/guidance.wire.cpp.
+const suture::rpc::Codec& guidanceCodec();
 
 namespace {
 
@@ -130,117 +82,6 @@ bool acceptsGuidanceGuidanceStateResult(const std::uint8_t& slot, suture::FieldP
 
 bool acceptsGuidanceGuidanceStateEvent(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownGuidanceState(slot);
-}
-
-// --- Guidance as Cap'n Proto
-
-void encodeGuidanceGuidanceStateResult(const std::uint8_t& slot,
-                                       wire::Guidance::GuidanceStateResults::Builder out) {
-  out.setValue(wireGuidanceState(slot));
-}
-suture::Errc decodeGuidanceGuidanceStateResult(wire::Guidance::GuidanceStateResults::Reader in,
-                                               std::uint8_t& slot, suture::Duration) {
-  return fromWire(in.getValue(), slot);
-}
-
-void encodeGuidanceProgressResult(const GuidanceProgressSlot& slot,
-                                  wire::Guidance::ProgressResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeGuidanceProgressResult(wire::Guidance::ProgressResults::Reader in,
-                                          GuidanceProgressSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeGuidanceGuidanceStateEvent(const std::uint8_t& slot,
-                                      wire::GuidanceEvents::GuidanceStateParams::Builder out) {
-  out.setValue(wireGuidanceState(slot));
-}
-suture::Errc decodeGuidanceGuidanceStateEvent(wire::GuidanceEvents::GuidanceStateParams::Reader in,
-                                              std::uint8_t& slot, suture::Duration) {
-  return fromWire(in.getValue(), slot);
-}
-
-void encodeGuidanceGuidanceStateColumn(const std::uint8_t& slot,
-                                       wire::GuidanceStateRow::Builder out) {
-  out.setGuidanceState(wireGuidanceState(slot));
-}
-suture::Errc decodeGuidanceGuidanceStateColumn(wire::GuidanceStateRow::Reader in,
-                                               std::uint8_t& slot, suture::Duration) {
-  return fromWire(in.getGuidanceState(), slot);
-}
-
-void encodeGuidanceProgressColumn(const GuidanceProgressSlot& slot,
-                                  wire::GuidanceStateRow::Builder out) {
-  toWire(slot, out.initProgress());
-}
-suture::Errc decodeGuidanceProgressColumn(wire::GuidanceStateRow::Reader in,
-                                          GuidanceProgressSlot& slot, suture::Duration shift) {
-  return in.hasProgress() ? fromWire(in.getProgress(), slot, shift) : suture::Errc::Invalid;
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeGuidanceColumn(unsigned column, const std::byte* memory,
-                          wire::GuidanceStateRow::Builder out) {
-  switch (static_cast<GuidanceColumn>(column)) {
-    case GuidanceColumn::guidance_state:
-      return encodeGuidanceGuidanceStateColumn(suture::slotIn<std::uint8_t>(memory), out);
-    case GuidanceColumn::progress:
-      return encodeGuidanceProgressColumn(suture::slotIn<GuidanceProgressSlot>(memory), out);
-  }
-}
-suture::Errc decodeGuidanceColumn(wire::GuidanceStateRow::Reader in, unsigned column,
-                                  std::byte* memory, suture::Duration shift) {
-  switch (static_cast<GuidanceColumn>(column)) {
-    case GuidanceColumn::guidance_state:
-      return decodeGuidanceGuidanceStateColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
-    case GuidanceColumn::progress:
-      return decodeGuidanceProgressColumn(in, suture::newSlot<GuidanceProgressSlot>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kGuidanceCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Guidance>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::Guidance::GuidanceStateParams>,
-     .result = suture::rpc::messageOf<wire::Guidance::GuidanceStateResults, std::uint8_t,
-                                      encodeGuidanceGuidanceStateResult,
-                                      decodeGuidanceGuidanceStateResult>,
-     .stamp = suture::rpc::stampIn<wire::Guidance::GuidanceStateResults>},
-    {.interface = capnp::typeId<wire::Guidance>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::Guidance::ProgressParams>,
-     .result = suture::rpc::messageOf<wire::Guidance::ProgressResults, GuidanceProgressSlot,
-                                      encodeGuidanceProgressResult, decodeGuidanceProgressResult>,
-     .stamp = suture::rpc::stampIn<wire::Guidance::ProgressResults>},
-    {.interface = capnp::typeId<wire::Guidance>(),
-     .method = 3,
-     .sent = suture::rpc::sentIn<wire::Guidance::EnableParams>},
-    {.interface = capnp::typeId<wire::Guidance>(),
-     .method = 4,
-     .sent = suture::rpc::sentIn<wire::Guidance::DisableParams>},
-};
-
-constexpr suture::rpc::EventCodec kGuidanceEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::GuidanceEvents::GuidanceStateParams>,
-     .payload = suture::rpc::messageOf<wire::GuidanceEvents::GuidanceStateParams, std::uint8_t,
-                                       encodeGuidanceGuidanceStateEvent,
-                                       decodeGuidanceGuidanceStateEvent>},
-};
-
-const suture::rpc::Codec& guidanceCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Guidance>,
-      .contract = capnp::typeId<wire::Guidance>(),
-      .subscriber = capnp::typeId<wire::GuidanceEvents>(),
-      .commands = kGuidanceCommandCodecs,
-      .events = kGuidanceEventCodecs,
-      .row = suture::rpc::rowOf<wire::GuidanceEvents::StateParams, wire::GuidanceStateRow,
-                                encodeGuidanceColumn, decodeGuidanceColumn>,
-  };
-  return kCodec;
 }
 
 constexpr suture::CommandInfo kGuidanceCommands[] = {
@@ -336,16 +177,6 @@ constexpr char kGuidanceDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::GuidanceProgress& value) {
-  return rpc::encodeAs<robots::wire::GuidanceProgress, robots::GuidanceProgressSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::GuidanceProgress& value) {
-  return rpc::decodeAs<robots::wire::GuidanceProgress, robots::GuidanceProgressSlot>(bytes, value);
-}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Guidance>() {

@@ -24,6 +24,9 @@ bool store(const GuidanceProgress& value, GuidanceProgressSlot& slot);
 void load(const GuidanceProgressSlot& slot, GuidanceProgress& value);
 void shiftStamps(GuidanceProgressSlot& slot, suture::Duration shift);
 
+bool isKnownGuidanceState(std::uint8_t slot);
+bool isValid(const GuidanceProgressSlot& slot, suture::FieldPath* path);
+
 /// Names the numbers of Guidance's commands in every table and record.
 enum class GuidanceCommand : std::uint16_t {
   guidance_state,

@@ -1,20 +1,17 @@
 // Written by suturec from guidance/knot_guide.h. Do not edit.
 #include "guidance/knot_guide.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "guidance/knot_guide.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -74,55 +71,14 @@ void load(const GuideParametersSlot& slot, GuideParameters& value) {
   load(slot.separation, value.separation);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const GuideParametersSlot& slot, wire::GuideParameters::Builder out) {
-  out.setPeriod(slot.period);
-  out.setScale(slot.scale);
-  out.setMaxAge(slot.max_age);
-  out.setSightingAge(slot.sighting_age);
-  out.setRegistrationAge(slot.registration_age);
-  out.setOperatorAge(slot.operator_age);
-  out.setEnableAtStart(slot.enable_at_start != 0);
-  out.setFixtures(slot.fixtures != 0);
-  toWire(slot.target, out.initTarget());
-  toWire(slot.approach, out.initApproach());
-  out.setRadius(slot.radius);
-  out.setSlope(slot.slope);
-  out.setSpeed(slot.speed);
-  out.setSeparation(slot.separation);
-}
-
-suture::Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.scale = in.getScale();
-  slot.max_age = in.getMaxAge();
-  slot.sighting_age = in.getSightingAge();
-  slot.registration_age = in.getRegistrationAge();
-  slot.operator_age = in.getOperatorAge();
-  slot.enable_at_start = in.getEnableAtStart();
-  slot.fixtures = in.getFixtures();
-  slot.radius = in.getRadius();
-  slot.slope = in.getSlope();
-  slot.speed = in.getSpeed();
-  slot.separation = in.getSeparation();
-  return suture::rpc::firstError({
-      in.hasTarget() ? fromWire(in.getTarget(), slot.target)
-          : suture::rpc::fromDefault(GuideParameters().target, slot.target),
-      in.hasApproach() ? fromWire(in.getApproach(), slot.approach)
-          : suture::rpc::fromDefault(GuideParameters().approach, slot.approach),
-  });
-}
-
 bool isValid(const GuideParametersSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.scale, 0.01, 10)) return suture::refusedAt(path, "scale");
+  if (!suture::inRange(slot.scale, 0.01, 10)) return suture::refusedAt(path, "scale");
   if (!isValid(slot.target, path)) return suture::refusedAt(path, "target");
   if (!isValid(slot.approach, path)) return suture::refusedAt(path, "approach");
-  if (!suture::rpc::inRange(slot.radius, 0.0001, 0.1)) return suture::refusedAt(path, "radius");
-  if (!suture::rpc::inRange(slot.slope, 0, 1)) return suture::refusedAt(path, "slope");
-  if (!suture::rpc::inRange(slot.speed, 0.001, 1)) return suture::refusedAt(path, "speed");
-  return suture::rpc::inRange(slot.separation, 0, 0.1) || suture::refusedAt(path, "separation");
+  if (!suture::inRange(slot.radius, 0.0001, 0.1)) return suture::refusedAt(path, "radius");
+  if (!suture::inRange(slot.slope, 0, 1)) return suture::refusedAt(path, "slope");
+  if (!suture::inRange(slot.speed, 0.001, 1)) return suture::refusedAt(path, "speed");
+  return suture::inRange(slot.separation, 0, 0.1) || suture::refusedAt(path, "separation");
 }
 
 }  // namespace robots
@@ -151,16 +107,6 @@ void fromJson(const suture::JsonReader& in, GuideParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::GuideParameters& value) {
-  return rpc::encodeAs<robots::wire::GuideParameters, robots::GuideParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::GuideParameters& value) {
-  return rpc::decodeAs<robots::wire::GuideParameters, robots::GuideParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::KnotGuide>() {

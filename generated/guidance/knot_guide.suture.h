@@ -38,6 +38,8 @@ struct GuideParametersSlot {
 bool store(const GuideParameters& value, GuideParametersSlot& slot);
 void load(const GuideParametersSlot& slot, GuideParameters& value);
 
+bool isValid(const GuideParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, GuideParameters& value);
 

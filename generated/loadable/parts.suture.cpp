@@ -1,20 +1,17 @@
 // Written by suturec from loadable/parts.h. Do not edit.
 #include "loadable/parts.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "loadable/parts.capnp.h"
-
 namespace loadable {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -56,35 +53,8 @@ void reserve(const SpindleParametersSlot*, SpindleParameters& value) {
   suture::reserveFor<decltype(SpindleParametersSlot::key)>(value.key);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const PlatterParametersSlot& slot, wire::PlatterParameters::Builder out) {
-  out.setAngle(slot.angle);
-}
-
-suture::Errc fromWire(wire::PlatterParameters::Reader in, PlatterParametersSlot& slot,
-                      suture::Duration) {
-  slot.angle = in.getAngle();
-  return suture::Errc{};
-}
-
 bool isValid(const PlatterParametersSlot& slot, suture::FieldPath* path) {
   return isValid(slot.angle) || suture::refusedAt(path, "angle");
-}
-
-void toWire(const SpindleParametersSlot& slot, wire::SpindleParameters::Builder out) {
-  out.setCycles(slot.cycles);
-  toWire(slot.brake, out.initBrake(sizeOf(slot.brake)));
-  toWire(slot.key, out.initKey(sizeOf(slot.key)));
-}
-
-suture::Errc fromWire(wire::SpindleParameters::Reader in, SpindleParametersSlot& slot,
-                      suture::Duration) {
-  slot.cycles = in.getCycles();
-  return suture::rpc::firstError({
-      fromWire(in.getBrake(), slot.brake),
-      fromWire(in.getKey(), slot.key),
-  });
 }
 
 bool isValid(const SpindleParametersSlot&, suture::FieldPath*) {
@@ -112,28 +82,6 @@ void fromJson(const suture::JsonReader& in, SpindleParameters& value) {
 }  // namespace loadable
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const loadable::PlatterParameters& value) {
-  return rpc::encodeAs<loadable::wire::PlatterParameters, loadable::PlatterParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, loadable::PlatterParameters& value) {
-  return rpc::decodeAs<loadable::wire::PlatterParameters,
-                       loadable::PlatterParametersSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const loadable::SpindleParameters& value) {
-  return rpc::encodeAs<loadable::wire::SpindleParameters, loadable::SpindleParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, loadable::SpindleParameters& value) {
-  return rpc::decodeAs<loadable::wire::SpindleParameters,
-                       loadable::SpindleParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<loadable::Platter>() {

@@ -31,6 +31,9 @@ bool store(const SpindleParameters& value, SpindleParametersSlot& slot);
 void load(const SpindleParametersSlot& slot, SpindleParameters& value);
 void reserve(const SpindleParametersSlot*, SpindleParameters& value);
 
+bool isValid(const PlatterParametersSlot& slot, suture::FieldPath* path);
+bool isValid(const SpindleParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, PlatterParameters& value);
 

@@ -1,22 +1,22 @@
 // Written by suturec from loadable/turntable.h. Do not edit.
 #include "loadable/turntable.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "loadable/turntable.capnp.h"
-
 namespace loadable {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 bool store(const double& angle, TurntableTurnArguments& slot) { return store(angle, slot.angle); }
+
+// Defined in loadable/turntable.wire.cpp.
+const suture::rpc::Codec& turntableCodec();
 
 namespace {
 
@@ -25,80 +25,6 @@ bool acceptsTurntableTurn(const TurntableTurnArguments& slot, suture::FieldPath*
 }
 
 bool acceptsTurntableAngleResult(const double& slot, suture::FieldPath*) { return isValid(slot); }
-
-// --- Turntable as Cap'n Proto
-
-void encodeTurntableTurn(const TurntableTurnArguments& slot,
-                         wire::Turntable::TurnParams::Builder out) {
-  out.setAngle(slot.angle);
-}
-suture::Errc decodeTurntableTurn(wire::Turntable::TurnParams::Reader in,
-                                 TurntableTurnArguments& slot, suture::Duration) {
-  slot.angle = in.getAngle();
-  return suture::Errc{};
-}
-
-void encodeTurntableAngleResult(const double& slot, wire::Turntable::AngleResults::Builder out) {
-  out.setValue(slot);
-}
-suture::Errc decodeTurntableAngleResult(wire::Turntable::AngleResults::Reader in, double& slot,
-                                        suture::Duration) {
-  slot = in.getValue();
-  return suture::Errc{};
-}
-
-void encodeTurntableAngleColumn(const double& slot, wire::TurntableStateRow::Builder out) {
-  out.setAngle(slot);
-}
-suture::Errc decodeTurntableAngleColumn(wire::TurntableStateRow::Reader in, double& slot,
-                                        suture::Duration) {
-  slot = in.getAngle();
-  return suture::Errc{};
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeTurntableColumn(unsigned column, const std::byte* memory,
-                           wire::TurntableStateRow::Builder out) {
-  switch (static_cast<TurntableColumn>(column)) {
-    case TurntableColumn::angle:
-      return encodeTurntableAngleColumn(suture::slotIn<double>(memory), out);
-  }
-}
-suture::Errc decodeTurntableColumn(wire::TurntableStateRow::Reader in, unsigned column,
-                                   std::byte* memory, suture::Duration shift) {
-  switch (static_cast<TurntableColumn>(column)) {
-    case TurntableColumn::angle:
-      return decodeTurntableAngleColumn(in, suture::newSlot<double>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kTurntableCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Turntable>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::Turntable::TurnParams>,
-     .arguments = suture::rpc::messageOf<wire::Turntable::TurnParams, TurntableTurnArguments,
-                                         encodeTurntableTurn, decodeTurntableTurn>},
-    {.interface = capnp::typeId<wire::Turntable>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::Turntable::AngleParams>,
-     .result = suture::rpc::messageOf<wire::Turntable::AngleResults, double,
-                                      encodeTurntableAngleResult, decodeTurntableAngleResult>,
-     .stamp = suture::rpc::stampIn<wire::Turntable::AngleResults>},
-};
-
-const suture::rpc::Codec& turntableCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Turntable>,
-      .contract = capnp::typeId<wire::Turntable>(),
-      .subscriber = capnp::typeId<wire::TurntableEvents>(),
-      .commands = kTurntableCommandCodecs,
-      .events = {},
-      .row = suture::rpc::rowOf<wire::TurntableEvents::StateParams, wire::TurntableStateRow,
-                                encodeTurntableColumn, decodeTurntableColumn>,
-  };
-  return kCodec;
-}
 
 constexpr suture::CommandInfo kTurntableCommands[] = {
     {.name = "turn",

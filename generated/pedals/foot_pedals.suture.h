@@ -25,6 +25,8 @@ bool store(const PedalState& value, PedalStateSlot& slot);
 void load(const PedalStateSlot& slot, PedalState& value);
 void shiftStamps(PedalStateSlot& slot, suture::Duration shift);
 
+bool isValid(const PedalStateSlot& slot, suture::FieldPath* path);
+
 /// Names the numbers of FootPedals's commands in every table and record.
 enum class FootPedalsCommand : std::uint16_t {
   pedals,

@@ -1,20 +1,16 @@
 // Written by suturec from pedals/operator_presence.h. Do not edit.
 #include "pedals/operator_presence.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "pedals/operator_presence.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -41,106 +37,14 @@ void shiftStamps(PresenceSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const PresenceSlot& slot, wire::Presence::Builder out) {
-  out.setPresent(slot.present != 0);
-  out.setStamp(slot.stamp);
-}
-
-suture::Errc fromWire(wire::Presence::Reader in, PresenceSlot& slot, suture::Duration shift) {
-  slot.present = in.getPresent();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::Errc{};
-}
-
 bool isValid(const PresenceSlot&, suture::FieldPath*) {
   return true;
 }
 
+// Defined in pedals/operator_presence.wire.cpp.
+const suture::rpc::Codec& operatorPresenceCodec();
+
 namespace {
-
-// --- OperatorPresence as Cap'n Proto
-
-void encodeOperatorPresencePresenceResult(const PresenceSlot& slot,
-                                          wire::OperatorPresence::PresenceResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeOperatorPresencePresenceResult(
-    wire::OperatorPresence::PresenceResults::Reader in, PresenceSlot& slot,
-                                                  suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeOperatorPresenceOperatorPresentEvent(const std::uint8_t& slot,
-                                                wire::OperatorPresenceEvents::OperatorPresentParams::Builder out) {
-  out.setValue(slot != 0);
-}
-suture::Errc decodeOperatorPresenceOperatorPresentEvent(
-    wire::OperatorPresenceEvents::OperatorPresentParams::Reader in, std::uint8_t& slot,
-                                                        suture::Duration) {
-  slot = in.getValue();
-  return suture::Errc{};
-}
-
-void encodeOperatorPresencePresenceColumn(const PresenceSlot& slot,
-                                          wire::OperatorPresenceStateRow::Builder out) {
-  toWire(slot, out.initPresence());
-}
-suture::Errc decodeOperatorPresencePresenceColumn(wire::OperatorPresenceStateRow::Reader in,
-                                                  PresenceSlot& slot, suture::Duration shift) {
-  return in.hasPresence() ? fromWire(in.getPresence(), slot, shift) : suture::Errc::Invalid;
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeOperatorPresenceColumn(unsigned column, const std::byte* memory,
-                                  wire::OperatorPresenceStateRow::Builder out) {
-  switch (static_cast<OperatorPresenceColumn>(column)) {
-    case OperatorPresenceColumn::presence:
-      return encodeOperatorPresencePresenceColumn(suture::slotIn<PresenceSlot>(memory), out);
-  }
-}
-suture::Errc decodeOperatorPresenceColumn(wire::OperatorPresenceStateRow::Reader in,
-                                          unsigned column, std::byte* memory,
-                                          suture::Duration shift) {
-  switch (static_cast<OperatorPresenceColumn>(column)) {
-    case OperatorPresenceColumn::presence:
-      return decodeOperatorPresencePresenceColumn(in, suture::newSlot<PresenceSlot>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kOperatorPresenceCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::OperatorPresence>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::OperatorPresence::PresenceParams>,
-     .result = suture::rpc::messageOf<wire::OperatorPresence::PresenceResults, PresenceSlot,
-                                      encodeOperatorPresencePresenceResult,
-                                      decodeOperatorPresencePresenceResult>,
-     .stamp = suture::rpc::stampIn<wire::OperatorPresence::PresenceResults>},
-};
-
-constexpr suture::rpc::EventCodec kOperatorPresenceEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::OperatorPresenceEvents::OperatorPresentParams>,
-     .payload = suture::rpc::messageOf<wire::OperatorPresenceEvents::OperatorPresentParams,
-                                       std::uint8_t, encodeOperatorPresenceOperatorPresentEvent,
-                                       decodeOperatorPresenceOperatorPresentEvent>},
-};
-
-const suture::rpc::Codec& operatorPresenceCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::OperatorPresence>,
-      .contract = capnp::typeId<wire::OperatorPresence>(),
-      .subscriber = capnp::typeId<wire::OperatorPresenceEvents>(),
-      .commands = kOperatorPresenceCommandCodecs,
-      .events = kOperatorPresenceEventCodecs,
-      .row = suture::rpc::rowOf<wire::OperatorPresenceEvents::StateParams,
-                                wire::OperatorPresenceStateRow, encodeOperatorPresenceColumn,
-                                decodeOperatorPresenceColumn>,
-  };
-  return kCodec;
-}
 
 constexpr suture::CommandInfo kOperatorPresenceCommands[] = {
     {.name = "presence",
@@ -191,16 +95,6 @@ constexpr char kOperatorPresenceDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::Presence& value) {
-  return rpc::encodeAs<robots::wire::Presence, robots::PresenceSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::Presence& value) {
-  return rpc::decodeAs<robots::wire::Presence, robots::PresenceSlot>(bytes, value);
-}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::OperatorPresence>() {

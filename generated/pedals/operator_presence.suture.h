@@ -22,6 +22,8 @@ bool store(const Presence& value, PresenceSlot& slot);
 void load(const PresenceSlot& slot, Presence& value);
 void shiftStamps(PresenceSlot& slot, suture::Duration shift);
 
+bool isValid(const PresenceSlot& slot, suture::FieldPath* path);
+
 /// Names the numbers of OperatorPresence's commands in every table and record.
 enum class OperatorPresenceCommand : std::uint16_t {
   presence,

@@ -1,20 +1,17 @@
 // Written by suturec from pedals/scripted_pedals.h. Do not edit.
 #include "pedals/scripted_pedals.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "pedals/scripted_pedals.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -50,26 +47,6 @@ void load(const ScriptedPedalsParametersSlot& slot, ScriptedPedalsParameters& va
   load(slot.leave_for, value.leave_for);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const ScriptedPedalsParametersSlot& slot, wire::ScriptedPedalsParameters::Builder out) {
-  out.setPeriod(slot.period);
-  out.setClutchAfter(slot.clutch_after);
-  out.setClutchFor(slot.clutch_for);
-  out.setLeaveAfter(slot.leave_after);
-  out.setLeaveFor(slot.leave_for);
-}
-
-suture::Errc fromWire(wire::ScriptedPedalsParameters::Reader in, ScriptedPedalsParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.clutch_after = in.getClutchAfter();
-  slot.clutch_for = in.getClutchFor();
-  slot.leave_after = in.getLeaveAfter();
-  slot.leave_for = in.getLeaveFor();
-  return suture::Errc{};
-}
-
 bool isValid(const ScriptedPedalsParametersSlot&, suture::FieldPath*) {
   return true;
 }
@@ -91,18 +68,6 @@ void fromJson(const suture::JsonReader& in, ScriptedPedalsParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::ScriptedPedalsParameters& value) {
-  return rpc::encodeAs<robots::wire::ScriptedPedalsParameters,
-                       robots::ScriptedPedalsParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::ScriptedPedalsParameters& value) {
-  return rpc::decodeAs<robots::wire::ScriptedPedalsParameters,
-                       robots::ScriptedPedalsParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::ScriptedPedals>() {

@@ -26,6 +26,8 @@ struct ScriptedPedalsParametersSlot {
 bool store(const ScriptedPedalsParameters& value, ScriptedPedalsParametersSlot& slot);
 void load(const ScriptedPedalsParametersSlot& slot, ScriptedPedalsParameters& value);
 
+bool isValid(const ScriptedPedalsParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, ScriptedPedalsParameters& value);
 

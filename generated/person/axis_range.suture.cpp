@@ -1,20 +1,17 @@
 // Written by suturec from person/axis_range.h. Do not edit.
 #include "person/axis_range.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "person/axis_range.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -37,19 +34,6 @@ void load(const AxisRangeSlot& slot, AxisRange& value) {
   load(slot.highest, value.highest);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const AxisRangeSlot& slot, wire::AxisRange::Builder out) {
-  out.setLowest(slot.lowest);
-  out.setHighest(slot.highest);
-}
-
-suture::Errc fromWire(wire::AxisRange::Reader in, AxisRangeSlot& slot, suture::Duration) {
-  slot.lowest = in.getLowest();
-  slot.highest = in.getHighest();
-  return suture::Errc{};
-}
-
 bool isValid(const AxisRangeSlot&, suture::FieldPath*) {
   return true;
 }
@@ -66,17 +50,3 @@ void fromJson(const suture::JsonReader& in, AxisRange& value) {
 }
 
 }  // namespace robots
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::AxisRange& value) {
-  return rpc::encodeAs<robots::wire::AxisRange, robots::AxisRangeSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::AxisRange& value) {
-  return rpc::decodeAs<robots::wire::AxisRange, robots::AxisRangeSlot>(bytes, value);
-}
-
-}  // namespace suture

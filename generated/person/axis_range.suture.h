@@ -17,6 +17,8 @@ struct AxisRangeSlot {
 bool store(const AxisRange& value, AxisRangeSlot& slot);
 void load(const AxisRangeSlot& slot, AxisRange& value);
 
+bool isValid(const AxisRangeSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

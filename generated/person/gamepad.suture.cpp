@@ -1,27 +1,17 @@
 // Written by suturec from person/gamepad.h. Do not edit.
 #include "person/gamepad.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "person/gamepad.capnp.h"
-
-// Defined in person/axis_range.suture.cpp.
-namespace robots {
-void toWire(const AxisRangeSlot& slot, wire::AxisRange::Builder out);
-suture::Errc fromWire(wire::AxisRange::Reader in, AxisRangeSlot& slot, suture::Duration shift);
-bool isValid(const AxisRangeSlot& slot, suture::FieldPath* path);
-}  // namespace robots
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -69,47 +59,15 @@ void reserve(const GamepadParametersSlot*, GamepadParameters& value) {
   suture::reserveFor<decltype(GamepadParametersSlot::file)>(value.file);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const GamepadParametersSlot& slot, wire::GamepadParameters::Builder out) {
-  out.setPeriod(slot.period);
-  toWire(slot.file, out.initFile(sizeOf(slot.file)));
-  toWire(slot.stick, out.initStick());
-  toWire(slot.trigger, out.initTrigger());
-  out.setDeadZone(slot.dead_zone);
-  out.setSpeed(slot.speed);
-  out.setTurningSpeed(slot.turning_speed);
-  out.setOpening(slot.opening);
-  out.setRetry(slot.retry);
-}
-
-suture::Errc fromWire(wire::GamepadParameters::Reader in, GamepadParametersSlot& slot,
-                      suture::Duration shift) {
-  slot.period = in.getPeriod();
-  slot.dead_zone = in.getDeadZone();
-  slot.speed = in.getSpeed();
-  slot.turning_speed = in.getTurningSpeed();
-  slot.opening = in.getOpening();
-  slot.retry = in.getRetry();
-  return suture::rpc::firstError({
-      in.hasFile() ? fromWire(in.getFile(), slot.file)
-          : suture::rpc::fromDefault(GamepadParameters().file, slot.file),
-      in.hasStick() ? fromWire(in.getStick(), slot.stick, shift)
-          : suture::rpc::fromDefault(GamepadParameters().stick, slot.stick),
-      in.hasTrigger() ? fromWire(in.getTrigger(), slot.trigger, shift)
-          : suture::rpc::fromDefault(GamepadParameters().trigger, slot.trigger),
-  });
-}
-
 bool isValid(const GamepadParametersSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.stick, path)) return suture::refusedAt(path, "stick");
   if (!isValid(slot.trigger, path)) return suture::refusedAt(path, "trigger");
-  if (!suture::rpc::inRange(slot.dead_zone, 0.01, 0.9)) return suture::refusedAt(path, "dead_zone");
-  if (!suture::rpc::inRange(slot.speed, 0.001, 0.25)) return suture::refusedAt(path, "speed");
-  if (!suture::rpc::inRange(slot.turning_speed, 0.01, 2)) {
+  if (!suture::inRange(slot.dead_zone, 0.01, 0.9)) return suture::refusedAt(path, "dead_zone");
+  if (!suture::inRange(slot.speed, 0.001, 0.25)) return suture::refusedAt(path, "speed");
+  if (!suture::inRange(slot.turning_speed, 0.01, 2)) {
     return suture::refusedAt(path, "turning_speed");
   }
-  return suture::rpc::inRange(slot.opening, 0, 1.047) || suture::refusedAt(path, "opening");
+  return suture::inRange(slot.opening, 0, 1.047) || suture::refusedAt(path, "opening");
 }
 
 }  // namespace robots
@@ -138,17 +96,6 @@ void fromJson(const suture::JsonReader& in, GamepadParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::GamepadParameters& value) {
-  return rpc::encodeAs<robots::wire::GamepadParameters, robots::GamepadParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::GamepadParameters& value) {
-  return rpc::decodeAs<robots::wire::GamepadParameters,
-                       robots::GamepadParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::Gamepad>() {

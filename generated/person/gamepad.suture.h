@@ -34,6 +34,8 @@ bool store(const GamepadParameters& value, GamepadParametersSlot& slot);
 void load(const GamepadParametersSlot& slot, GamepadParameters& value);
 void reserve(const GamepadParametersSlot*, GamepadParameters& value);
 
+bool isValid(const GamepadParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, GamepadParameters& value);
 

@@ -1,20 +1,17 @@
 // Written by suturec from person/keyboard.h. Do not edit.
 #include "person/keyboard.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "person/keyboard.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -53,34 +50,12 @@ void reserve(const KeyboardParametersSlot*, KeyboardParameters& value) {
   suture::reserveFor<decltype(KeyboardParametersSlot::terminal)>(value.terminal);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const KeyboardParametersSlot& slot, wire::KeyboardParameters::Builder out) {
-  out.setPeriod(slot.period);
-  toWire(slot.terminal, out.initTerminal(sizeOf(slot.terminal)));
-  out.setSpeed(slot.speed);
-  out.setTurningSpeed(slot.turning_speed);
-  out.setOpening(slot.opening);
-  out.setHold(slot.hold);
-}
-
-suture::Errc fromWire(wire::KeyboardParameters::Reader in, KeyboardParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.speed = in.getSpeed();
-  slot.turning_speed = in.getTurningSpeed();
-  slot.opening = in.getOpening();
-  slot.hold = in.getHold();
-  return in.hasTerminal() ? fromWire(in.getTerminal(), slot.terminal)
-      : suture::rpc::fromDefault(KeyboardParameters().terminal, slot.terminal);
-}
-
 bool isValid(const KeyboardParametersSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.speed, 0.001, 0.25)) return suture::refusedAt(path, "speed");
-  if (!suture::rpc::inRange(slot.turning_speed, 0.01, 2)) {
+  if (!suture::inRange(slot.speed, 0.001, 0.25)) return suture::refusedAt(path, "speed");
+  if (!suture::inRange(slot.turning_speed, 0.01, 2)) {
     return suture::refusedAt(path, "turning_speed");
   }
-  return suture::rpc::inRange(slot.opening, 0, 1.047) || suture::refusedAt(path, "opening");
+  return suture::inRange(slot.opening, 0, 1.047) || suture::refusedAt(path, "opening");
 }
 
 }  // namespace robots
@@ -101,17 +76,6 @@ void fromJson(const suture::JsonReader& in, KeyboardParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::KeyboardParameters& value) {
-  return rpc::encodeAs<robots::wire::KeyboardParameters, robots::KeyboardParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::KeyboardParameters& value) {
-  return rpc::decodeAs<robots::wire::KeyboardParameters,
-                       robots::KeyboardParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::Keyboard>() {

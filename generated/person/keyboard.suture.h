@@ -30,6 +30,8 @@ bool store(const KeyboardParameters& value, KeyboardParametersSlot& slot);
 void load(const KeyboardParametersSlot& slot, KeyboardParameters& value);
 void reserve(const KeyboardParametersSlot*, KeyboardParameters& value);
 
+bool isValid(const KeyboardParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, KeyboardParameters& value);
 

@@ -1,20 +1,17 @@
 // Written by suturec from recorder/knot_recorder.h. Do not edit.
 #include "recorder/knot_recorder.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "recorder/knot_recorder.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -41,20 +38,6 @@ void reserve(const KnotRecorderParametersSlot*, KnotRecorderParameters& value) {
   suture::reserveFor<decltype(KnotRecorderParametersSlot::file)>(value.file);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const KnotRecorderParametersSlot& slot, wire::KnotRecorderParameters::Builder out) {
-  out.setPeriod(slot.period);
-  toWire(slot.file, out.initFile(sizeOf(slot.file)));
-}
-
-suture::Errc fromWire(wire::KnotRecorderParameters::Reader in, KnotRecorderParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  return in.hasFile() ? fromWire(in.getFile(), slot.file)
-      : suture::rpc::fromDefault(KnotRecorderParameters().file, slot.file);
-}
-
 bool isValid(const KnotRecorderParametersSlot&, suture::FieldPath*) {
   return true;
 }
@@ -73,18 +56,6 @@ void fromJson(const suture::JsonReader& in, KnotRecorderParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::KnotRecorderParameters& value) {
-  return rpc::encodeAs<robots::wire::KnotRecorderParameters,
-                       robots::KnotRecorderParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::KnotRecorderParameters& value) {
-  return rpc::decodeAs<robots::wire::KnotRecorderParameters,
-                       robots::KnotRecorderParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::KnotRecorder>() {

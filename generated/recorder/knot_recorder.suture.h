@@ -26,6 +26,8 @@ bool store(const KnotRecorderParameters& value, KnotRecorderParametersSlot& slot
 void load(const KnotRecorderParametersSlot& slot, KnotRecorderParameters& value);
 void reserve(const KnotRecorderParametersSlot*, KnotRecorderParameters& value);
 
+bool isValid(const KnotRecorderParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, KnotRecorderParameters& value);
 

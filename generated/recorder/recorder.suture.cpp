@@ -1,20 +1,17 @@
 // Written by suturec from recorder/recorder.h. Do not edit.
 #include "recorder/recorder.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "recorder/recorder.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -41,20 +38,6 @@ void reserve(const RecorderParametersSlot*, RecorderParameters& value) {
   suture::reserveFor<decltype(RecorderParametersSlot::file)>(value.file);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const RecorderParametersSlot& slot, wire::RecorderParameters::Builder out) {
-  out.setPeriod(slot.period);
-  toWire(slot.file, out.initFile(sizeOf(slot.file)));
-}
-
-suture::Errc fromWire(wire::RecorderParameters::Reader in, RecorderParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  return in.hasFile() ? fromWire(in.getFile(), slot.file)
-      : suture::rpc::fromDefault(RecorderParameters().file, slot.file);
-}
-
 bool isValid(const RecorderParametersSlot&, suture::FieldPath*) {
   return true;
 }
@@ -73,17 +56,6 @@ void fromJson(const suture::JsonReader& in, RecorderParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::RecorderParameters& value) {
-  return rpc::encodeAs<robots::wire::RecorderParameters, robots::RecorderParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::RecorderParameters& value) {
-  return rpc::decodeAs<robots::wire::RecorderParameters,
-                       robots::RecorderParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::Recorder>() {

@@ -25,6 +25,8 @@ bool store(const RecorderParameters& value, RecorderParametersSlot& slot);
 void load(const RecorderParametersSlot& slot, RecorderParameters& value);
 void reserve(const RecorderParametersSlot*, RecorderParameters& value);
 
+bool isValid(const RecorderParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, RecorderParameters& value);
 

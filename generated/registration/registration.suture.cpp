@@ -1,20 +1,16 @@
 // Written by suturec from registration/registration.h. Do not edit.
 #include "registration/registration.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "registration/registration.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -56,36 +52,6 @@ bool store(const Eigen::Isometry3d& camera, RegistrationSetCameraArguments& slot
   return store(camera, slot.camera);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const SceneFramesSlot& slot, wire::SceneFrames::Builder out) {
-  toWire(slot.left_base, out.initLeftBase());
-  toWire(slot.right_base, out.initRightBase());
-  toWire(slot.camera, out.initCamera());
-  out.setTissue(slot.tissue);
-  toWire(slot.left_master, out.initLeftMaster());
-  toWire(slot.right_master, out.initRightMaster());
-  toWire(slot.display, out.initDisplay());
-}
-
-suture::Errc fromWire(wire::SceneFrames::Reader in, SceneFramesSlot& slot, suture::Duration) {
-  slot.tissue = in.getTissue();
-  return suture::rpc::firstError({
-      in.hasLeftBase() ? fromWire(in.getLeftBase(), slot.left_base)
-          : suture::rpc::fromDefault(SceneFrames().left_base, slot.left_base),
-      in.hasRightBase() ? fromWire(in.getRightBase(), slot.right_base)
-          : suture::rpc::fromDefault(SceneFrames().right_base, slot.right_base),
-      in.hasCamera() ? fromWire(in.getCamera(), slot.camera)
-          : suture::rpc::fromDefault(SceneFrames().camera, slot.camera),
-      in.hasLeftMaster() ? fromWire(in.getLeftMaster(), slot.left_master)
-          : suture::rpc::fromDefault(SceneFrames().left_master, slot.left_master),
-      in.hasRightMaster() ? fromWire(in.getRightMaster(), slot.right_master)
-          : suture::rpc::fromDefault(SceneFrames().right_master, slot.right_master),
-      in.hasDisplay() ? fromWire(in.getDisplay(), slot.display)
-          : suture::rpc::fromDefault(SceneFrames().display, slot.display),
-  });
-}
-
 bool isValid(const SceneFramesSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.left_base)) return suture::refusedAt(path, "left_base");
   if (!isValid(slot.right_base)) return suture::refusedAt(path, "right_base");
@@ -96,86 +62,14 @@ bool isValid(const SceneFramesSlot& slot, suture::FieldPath* path) {
   return isValid(slot.display) || suture::refusedAt(path, "display");
 }
 
+// Defined in registration/registration.wire.cpp.
+const suture::rpc::Codec& registrationCodec();
+
 namespace {
 
 bool acceptsRegistrationSetCamera(const RegistrationSetCameraArguments& slot,
                                   suture::FieldPath* path) {
   return isValid(slot.camera) || suture::refusedAt(path, "camera");
-}
-
-// --- Registration as Cap'n Proto
-
-void encodeRegistrationFramesResult(const SceneFramesSlot& slot,
-                                    wire::Registration::FramesResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeRegistrationFramesResult(wire::Registration::FramesResults::Reader in,
-                                            SceneFramesSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeRegistrationSetCamera(const RegistrationSetCameraArguments& slot,
-                                 wire::Registration::SetCameraParams::Builder out) {
-  toWire(slot.camera, out.initCamera());
-}
-suture::Errc decodeRegistrationSetCamera(wire::Registration::SetCameraParams::Reader in,
-                                         RegistrationSetCameraArguments& slot, suture::Duration) {
-  return in.hasCamera() ? fromWire(in.getCamera(), slot.camera) : suture::Errc::Invalid;
-}
-
-void encodeRegistrationFramesColumn(const SceneFramesSlot& slot,
-                                    wire::RegistrationStateRow::Builder out) {
-  toWire(slot, out.initFrames());
-}
-suture::Errc decodeRegistrationFramesColumn(wire::RegistrationStateRow::Reader in,
-                                            SceneFramesSlot& slot, suture::Duration shift) {
-  return in.hasFrames() ? fromWire(in.getFrames(), slot, shift) : suture::Errc::Invalid;
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeRegistrationColumn(unsigned column, const std::byte* memory,
-                              wire::RegistrationStateRow::Builder out) {
-  switch (static_cast<RegistrationColumn>(column)) {
-    case RegistrationColumn::frames:
-      return encodeRegistrationFramesColumn(suture::slotIn<SceneFramesSlot>(memory), out);
-  }
-}
-suture::Errc decodeRegistrationColumn(wire::RegistrationStateRow::Reader in, unsigned column,
-                                      std::byte* memory, suture::Duration shift) {
-  switch (static_cast<RegistrationColumn>(column)) {
-    case RegistrationColumn::frames:
-      return decodeRegistrationFramesColumn(in, suture::newSlot<SceneFramesSlot>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kRegistrationCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Registration>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::Registration::FramesParams>,
-     .result = suture::rpc::messageOf<wire::Registration::FramesResults, SceneFramesSlot,
-                                      encodeRegistrationFramesResult,
-                                      decodeRegistrationFramesResult>,
-     .stamp = suture::rpc::stampIn<wire::Registration::FramesResults>},
-    {.interface = capnp::typeId<wire::Registration>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::Registration::SetCameraParams>,
-     .arguments = suture::rpc::messageOf<wire::Registration::SetCameraParams,
-                                         RegistrationSetCameraArguments,
-                                         encodeRegistrationSetCamera, decodeRegistrationSetCamera>},
-};
-
-const suture::rpc::Codec& registrationCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Registration>,
-      .contract = capnp::typeId<wire::Registration>(),
-      .subscriber = capnp::typeId<wire::RegistrationEvents>(),
-      .commands = kRegistrationCommandCodecs,
-      .events = {},
-      .row = suture::rpc::rowOf<wire::RegistrationEvents::StateParams, wire::RegistrationStateRow,
-                                encodeRegistrationColumn, decodeRegistrationColumn>,
-  };
-  return kCodec;
 }
 
 constexpr suture::CommandInfo kRegistrationCommands[] = {
@@ -242,16 +136,6 @@ constexpr char kRegistrationDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::SceneFrames& value) {
-  return rpc::encodeAs<robots::wire::SceneFrames, robots::SceneFramesSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::SceneFrames& value) {
-  return rpc::decodeAs<robots::wire::SceneFrames, robots::SceneFramesSlot>(bytes, value);
-}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Registration>() {

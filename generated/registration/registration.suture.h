@@ -27,6 +27,8 @@ struct SceneFramesSlot {
 bool store(const SceneFrames& value, SceneFramesSlot& slot);
 void load(const SceneFramesSlot& slot, SceneFrames& value);
 
+bool isValid(const SceneFramesSlot& slot, suture::FieldPath* path);
+
 // --- Registration: the arguments of its commands ---
 
 struct RegistrationSetCameraArguments {

@@ -155,6 +155,18 @@ bool store(const CartesianImpedance& value, CartesianImpedanceSlot& slot);
 void load(const CartesianImpedanceSlot& slot, CartesianImpedance& value);
 void shiftStamps(CartesianImpedanceSlot& slot, suture::Duration shift);
 
+bool isKnownServoMode(std::uint8_t slot);
+bool isValid(const TwistSlot& slot, suture::FieldPath* path);
+bool isValid(const TwistGoalSlot& slot, suture::FieldPath* path);
+bool isValid(const WrenchSlot& slot, suture::FieldPath* path);
+bool isValid(const WrenchGoalSlot& slot, suture::FieldPath* path);
+bool isValid(const CartesianStateSlot& slot, suture::FieldPath* path);
+bool isValid(const CartesianGoalSlot& slot, suture::FieldPath* path);
+bool isValid(const ServoCartesianSlot& slot, suture::FieldPath* path);
+bool isValid(const HalfPlaneGainsSlot& slot, suture::FieldPath* path);
+bool isValid(const AngularHalfPlaneGainsSlot& slot, suture::FieldPath* path);
+bool isValid(const CartesianImpedanceSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

@@ -45,6 +45,11 @@ bool store(const ImuSample& value, ImuSampleSlot& slot);
 void load(const ImuSampleSlot& slot, ImuSample& value);
 void shiftStamps(ImuSampleSlot& slot, suture::Duration shift);
 
+bool isKnownButtonAction(std::uint8_t slot);
+bool isValid(const ButtonEventSlot& slot, suture::FieldPath* path);
+bool isValid(const InputDataSlot& slot, suture::FieldPath* path);
+bool isValid(const ImuSampleSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

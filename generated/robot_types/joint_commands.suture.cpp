@@ -1,19 +1,16 @@
 // Written by suturec from robot_types/joint_commands.h. Do not edit.
 #include "robot_types/joint_commands.suture.h"
 
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "robot_types/joint_commands.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -357,20 +354,6 @@ void shiftStamps(JacobianSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
-// --- between slots and Cap'n Proto
-
-wire::JointType wireJointType(std::uint8_t slot) {
-  switch (static_cast<JointType>(slot)) {
-    case JointType::Undefined: return wire::JointType::UNDEFINED;
-    case JointType::Prismatic: return wire::JointType::PRISMATIC;
-    case JointType::Revolute: return wire::JointType::REVOLUTE;
-    case JointType::Universal: return wire::JointType::UNIVERSAL;
-    case JointType::BallSocket: return wire::JointType::BALL_SOCKET;
-    case JointType::Inactive: return wire::JointType::INACTIVE;
-  }
-  return wire::JointType{};
-}
-
 bool isKnownJointType(std::uint8_t slot) {
   switch (static_cast<JointType>(slot)) {
     case JointType::Undefined:
@@ -384,66 +367,8 @@ bool isKnownJointType(std::uint8_t slot) {
   return false;
 }
 
-suture::Errc fromWire(wire::JointType in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::JointType::UNDEFINED: return slot =
-        static_cast<std::uint8_t>(JointType::Undefined), suture::Errc{};
-    case wire::JointType::PRISMATIC: return slot =
-        static_cast<std::uint8_t>(JointType::Prismatic), suture::Errc{};
-    case wire::JointType::REVOLUTE: return slot =
-        static_cast<std::uint8_t>(JointType::Revolute), suture::Errc{};
-    case wire::JointType::UNIVERSAL: return slot =
-        static_cast<std::uint8_t>(JointType::Universal), suture::Errc{};
-    case wire::JointType::BALL_SOCKET: return slot =
-        static_cast<std::uint8_t>(JointType::BallSocket), suture::Errc{};
-    case wire::JointType::INACTIVE: return slot =
-        static_cast<std::uint8_t>(JointType::Inactive), suture::Errc{};
-  }
-  return suture::Errc::Invalid;
-}
-
-void toWire(const JointPositionSlot& slot, wire::JointPosition::Builder out) {
-  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
-  toWire(slot.stamps, out.initStamps(sizeOf(slot.stamps)));
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::JointPosition::Reader in, JointPositionSlot& slot,
-                      suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return suture::rpc::firstError({
-      fromWire(in.getPosition(), slot.position),
-      suture::rpc::fromWireList(in.getStamps(), slot.stamps, [&](auto item, std::int64_t& target) {
-        return target = suture::rpc::shifted(item, shift), suture::Errc{};
-      }),
-  });
-}
-
 bool isValid(const JointPositionSlot& slot, suture::FieldPath* path) {
   return isValid(slot.position, path) || suture::refusedAt(path, "position");
-}
-
-void toWire(const JointPositionGoalSlot& slot, wire::JointPositionGoal::Builder out) {
-  toWire(slot.goal, out.initGoal(sizeOf(slot.goal)));
-  toWire(slot.velocity, out.initVelocity(sizeOf(slot.velocity)));
-  toWire(slot.acceleration, out.initAcceleration(sizeOf(slot.acceleration)));
-  out.setTimeLimit(slot.time_limit);
-  out.setIsCoordinated(slot.is_coordinated != 0);
-  out.setStamp(slot.stamp);
-}
-
-suture::Errc fromWire(wire::JointPositionGoal::Reader in, JointPositionGoalSlot& slot,
-                      suture::Duration shift) {
-  slot.time_limit = in.getTimeLimit();
-  slot.is_coordinated = in.getIsCoordinated();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
-      fromWire(in.getGoal(), slot.goal),
-      fromWire(in.getVelocity(), slot.velocity),
-      fromWire(in.getAcceleration(), slot.acceleration),
-  });
 }
 
 bool isValid(const JointPositionGoalSlot& slot, suture::FieldPath* path) {
@@ -452,42 +377,8 @@ bool isValid(const JointPositionGoalSlot& slot, suture::FieldPath* path) {
   return isValid(slot.acceleration, path) || suture::refusedAt(path, "acceleration");
 }
 
-void toWire(const JointVelocitySlot& slot, wire::JointVelocity::Builder out) {
-  toWire(slot.velocity, out.initVelocity(sizeOf(slot.velocity)));
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::JointVelocity::Reader in, JointVelocitySlot& slot,
-                      suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return fromWire(in.getVelocity(), slot.velocity);
-}
-
 bool isValid(const JointVelocitySlot& slot, suture::FieldPath* path) {
   return isValid(slot.velocity, path) || suture::refusedAt(path, "velocity");
-}
-
-void toWire(const JointVelocityGoalSlot& slot, wire::JointVelocityGoal::Builder out) {
-  toWire(slot.goal, out.initGoal(sizeOf(slot.goal)));
-  toWire(slot.acceleration, out.initAcceleration(sizeOf(slot.acceleration)));
-  toWire(slot.deceleration, out.initDeceleration(sizeOf(slot.deceleration)));
-  toWire(slot.guard, out.initGuard(sizeOf(slot.guard)));
-  toWire(slot.mask, out.initMask(sizeOf(slot.mask)));
-  out.setStamp(slot.stamp);
-}
-
-suture::Errc fromWire(wire::JointVelocityGoal::Reader in, JointVelocityGoalSlot& slot,
-                      suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
-      fromWire(in.getGoal(), slot.goal),
-      fromWire(in.getAcceleration(), slot.acceleration),
-      fromWire(in.getDeceleration(), slot.deceleration),
-      fromWire(in.getGuard(), slot.guard),
-      fromWire(in.getMask(), slot.mask),
-  });
 }
 
 bool isValid(const JointVelocityGoalSlot& slot, suture::FieldPath* path) {
@@ -497,63 +388,12 @@ bool isValid(const JointVelocityGoalSlot& slot, suture::FieldPath* path) {
   return isValid(slot.guard, path) || suture::refusedAt(path, "guard");
 }
 
-void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out) {
-  toWire(slot.effort, out.initEffort(sizeOf(slot.effort)));
-  toWire(slot.mask, out.initMask(sizeOf(slot.mask)));
-  out.setStamp(slot.stamp);
-}
-
-suture::Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slot,
-                      suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
-      fromWire(in.getEffort(), slot.effort),
-      fromWire(in.getMask(), slot.mask),
-  });
-}
-
 bool isValid(const JointEffortGoalSlot& slot, suture::FieldPath* path) {
   return isValid(slot.effort, path) || suture::refusedAt(path, "effort");
 }
 
-void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builder out) {
-  toWire(slot.name, out.initName(sizeOf(slot.name)));
-  suture::rpc::toWireList(slot.type, out.initType(sizeOf(slot.type)),
-                          [](const std::uint8_t& element, auto list, std::uint32_t i) {
-                            list.set(i, wireJointType(element));
-                          });
-  toWire(slot.position_min, out.initPositionMin(sizeOf(slot.position_min)));
-  toWire(slot.position_max, out.initPositionMax(sizeOf(slot.position_max)));
-  toWire(slot.velocity_min, out.initVelocityMin(sizeOf(slot.velocity_min)));
-  toWire(slot.velocity_max, out.initVelocityMax(sizeOf(slot.velocity_max)));
-  toWire(slot.acceleration_min, out.initAccelerationMin(sizeOf(slot.acceleration_min)));
-  toWire(slot.acceleration_max, out.initAccelerationMax(sizeOf(slot.acceleration_max)));
-  toWire(slot.effort_min, out.initEffortMin(sizeOf(slot.effort_min)));
-  toWire(slot.effort_max, out.initEffortMax(sizeOf(slot.effort_max)));
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot,
-                      suture::Duration) {
-  slot.valid = in.getValid();
-  return suture::rpc::firstError({
-      fromWire(in.getName(), slot.name),
-      suture::rpc::fromWireList(in.getType(), slot.type, [](auto item, std::uint8_t& target) {
-        return fromWire(item, target);
-      }),
-      fromWire(in.getPositionMin(), slot.position_min),
-      fromWire(in.getPositionMax(), slot.position_max),
-      fromWire(in.getVelocityMin(), slot.velocity_min),
-      fromWire(in.getVelocityMax(), slot.velocity_max),
-      fromWire(in.getAccelerationMin(), slot.acceleration_min),
-      fromWire(in.getAccelerationMax(), slot.acceleration_max),
-      fromWire(in.getEffortMin(), slot.effort_min),
-      fromWire(in.getEffortMax(), slot.effort_max),
-  });
-}
-
 bool isValid(const JointConfigurationSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::allOf(slot.type, path, [](const std::uint8_t& element) {
+  if (!suture::allOf(slot.type, path, [](const std::uint8_t& element) {
     return isKnownJointType(element);
   })) {
     return suture::refusedAt(path, "type");
@@ -568,58 +408,11 @@ bool isValid(const JointConfigurationSlot& slot, suture::FieldPath* path) {
   return isValid(slot.effort_max, path) || suture::refusedAt(path, "effort_max");
 }
 
-void toWire(const ServoJointSlot& slot, wire::ServoJoint::Builder out) {
-  toWire(slot.name, out.initName(sizeOf(slot.name)));
-  toWire(slot.mode, out.initMode(sizeOf(slot.mode)));
-  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
-  toWire(slot.velocity, out.initVelocity(sizeOf(slot.velocity)));
-  toWire(slot.effort, out.initEffort(sizeOf(slot.effort)));
-  toWire(slot.position_projection, out.initPositionProjection(sizeOf(slot.position_projection)));
-  out.setStamp(slot.stamp);
-}
-
-suture::Errc fromWire(wire::ServoJoint::Reader in, ServoJointSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
-      fromWire(in.getName(), slot.name),
-      fromWire(in.getMode(), slot.mode),
-      fromWire(in.getPosition(), slot.position),
-      fromWire(in.getVelocity(), slot.velocity),
-      fromWire(in.getEffort(), slot.effort),
-      fromWire(in.getPositionProjection(), slot.position_projection),
-  });
-}
-
 bool isValid(const ServoJointSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.position, path)) return suture::refusedAt(path, "position");
   if (!isValid(slot.velocity, path)) return suture::refusedAt(path, "velocity");
   if (!isValid(slot.effort, path)) return suture::refusedAt(path, "effort");
   return isValid(slot.position_projection, path) || suture::refusedAt(path, "position_projection");
-}
-
-void toWire(const ActuatorJointCouplingSlot& slot, wire::ActuatorJointCoupling::Builder out) {
-  out.setJoints(slot.joints);
-  out.setActuators(slot.actuators);
-  toWire(slot.actuator_to_joint_position,
-         out.initActuatorToJointPosition(sizeOf(slot.actuator_to_joint_position)));
-  toWire(slot.joint_to_actuator_position,
-         out.initJointToActuatorPosition(sizeOf(slot.joint_to_actuator_position)));
-  toWire(slot.actuator_to_joint_effort,
-         out.initActuatorToJointEffort(sizeOf(slot.actuator_to_joint_effort)));
-  toWire(slot.joint_to_actuator_effort,
-         out.initJointToActuatorEffort(sizeOf(slot.joint_to_actuator_effort)));
-}
-
-suture::Errc fromWire(wire::ActuatorJointCoupling::Reader in, ActuatorJointCouplingSlot& slot,
-                      suture::Duration) {
-  slot.joints = in.getJoints();
-  slot.actuators = in.getActuators();
-  return suture::rpc::firstError({
-      fromWire(in.getActuatorToJointPosition(), slot.actuator_to_joint_position),
-      fromWire(in.getJointToActuatorPosition(), slot.joint_to_actuator_position),
-      fromWire(in.getActuatorToJointEffort(), slot.actuator_to_joint_effort),
-      fromWire(in.getJointToActuatorEffort(), slot.joint_to_actuator_effort),
-  });
 }
 
 bool isValid(const ActuatorJointCouplingSlot& slot, suture::FieldPath* path) {
@@ -636,121 +429,8 @@ bool isValid(const ActuatorJointCouplingSlot& slot, suture::FieldPath* path) {
       suture::refusedAt(path, "joint_to_actuator_effort");
 }
 
-void toWire(const JacobianSlot& slot, wire::Jacobian::Builder out) {
-  out.setJoints(slot.joints);
-  toWire(slot.coefficients, out.initCoefficients(sizeOf(slot.coefficients)));
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::Jacobian::Reader in, JacobianSlot& slot, suture::Duration shift) {
-  slot.joints = in.getJoints();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return fromWire(in.getCoefficients(), slot.coefficients);
-}
-
 bool isValid(const JacobianSlot& slot, suture::FieldPath* path) {
   return isValid(slot.coefficients, path) || suture::refusedAt(path, "coefficients");
 }
 
 }  // namespace robots
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::JointPosition& value) {
-  return rpc::encodeAs<robots::wire::JointPosition, robots::JointPositionSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::JointPosition& value) {
-  return rpc::decodeAs<robots::wire::JointPosition, robots::JointPositionSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::JointPositionGoal& value) {
-  return rpc::encodeAs<robots::wire::JointPositionGoal, robots::JointPositionGoalSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::JointPositionGoal& value) {
-  return rpc::decodeAs<robots::wire::JointPositionGoal,
-                       robots::JointPositionGoalSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::JointVelocity& value) {
-  return rpc::encodeAs<robots::wire::JointVelocity, robots::JointVelocitySlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::JointVelocity& value) {
-  return rpc::decodeAs<robots::wire::JointVelocity, robots::JointVelocitySlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::JointVelocityGoal& value) {
-  return rpc::encodeAs<robots::wire::JointVelocityGoal, robots::JointVelocityGoalSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::JointVelocityGoal& value) {
-  return rpc::decodeAs<robots::wire::JointVelocityGoal,
-                       robots::JointVelocityGoalSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::JointEffortGoal& value) {
-  return rpc::encodeAs<robots::wire::JointEffortGoal, robots::JointEffortGoalSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::JointEffortGoal& value) {
-  return rpc::decodeAs<robots::wire::JointEffortGoal, robots::JointEffortGoalSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::JointConfiguration& value) {
-  return rpc::encodeAs<robots::wire::JointConfiguration, robots::JointConfigurationSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::JointConfiguration& value) {
-  return rpc::decodeAs<robots::wire::JointConfiguration,
-                       robots::JointConfigurationSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::ServoJoint& value) {
-  return rpc::encodeAs<robots::wire::ServoJoint, robots::ServoJointSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::ServoJoint& value) {
-  return rpc::decodeAs<robots::wire::ServoJoint, robots::ServoJointSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::ActuatorJointCoupling& value) {
-  return rpc::encodeAs<robots::wire::ActuatorJointCoupling,
-                       robots::ActuatorJointCouplingSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::ActuatorJointCoupling& value) {
-  return rpc::decodeAs<robots::wire::ActuatorJointCoupling,
-                       robots::ActuatorJointCouplingSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::Jacobian& value) {
-  return rpc::encodeAs<robots::wire::Jacobian, robots::JacobianSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::Jacobian& value) {
-  return rpc::decodeAs<robots::wire::Jacobian, robots::JacobianSlot>(bytes, value);
-}
-
-}  // namespace suture

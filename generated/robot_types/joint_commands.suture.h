@@ -138,6 +138,17 @@ void load(const JacobianSlot& slot, Jacobian& value);
 void reserve(const JacobianSlot*, Jacobian& value);
 void shiftStamps(JacobianSlot& slot, suture::Duration shift);
 
+bool isKnownJointType(std::uint8_t slot);
+bool isValid(const JointPositionSlot& slot, suture::FieldPath* path);
+bool isValid(const JointPositionGoalSlot& slot, suture::FieldPath* path);
+bool isValid(const JointVelocitySlot& slot, suture::FieldPath* path);
+bool isValid(const JointVelocityGoalSlot& slot, suture::FieldPath* path);
+bool isValid(const JointEffortGoalSlot& slot, suture::FieldPath* path);
+bool isValid(const JointConfigurationSlot& slot, suture::FieldPath* path);
+bool isValid(const ServoJointSlot& slot, suture::FieldPath* path);
+bool isValid(const ActuatorJointCouplingSlot& slot, suture::FieldPath* path);
+bool isValid(const JacobianSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

@@ -1,19 +1,16 @@
 // Written by suturec from robot_types/joints.h. Do not edit.
 #include "robot_types/joints.suture.h"
 
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "robot_types/joints.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -98,58 +95,14 @@ void load(const JointSolutionSlot& slot, JointSolution& value) {
   load(slot.found, value.found);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
-  toWire(slot.name, out.initName(sizeOf(slot.name)));
-  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
-  toWire(slot.velocity, out.initVelocity(sizeOf(slot.velocity)));
-  toWire(slot.effort, out.initEffort(sizeOf(slot.effort)));
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return suture::rpc::firstError({
-      fromWire(in.getName(), slot.name),
-      fromWire(in.getPosition(), slot.position),
-      fromWire(in.getVelocity(), slot.velocity),
-      fromWire(in.getEffort(), slot.effort),
-  });
-}
-
 bool isValid(const JointStateSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.position, path)) return suture::refusedAt(path, "position");
   if (!isValid(slot.velocity, path)) return suture::refusedAt(path, "velocity");
   return isValid(slot.effort, path) || suture::refusedAt(path, "effort");
 }
 
-void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out) {
-  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
-  out.setStamp(slot.stamp);
-}
-
-suture::Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return fromWire(in.getPosition(), slot.position);
-}
-
 bool isValid(const JointGoalSlot& slot, suture::FieldPath* path) {
   return isValid(slot.position, path) || suture::refusedAt(path, "position");
-}
-
-void toWire(const JointSolutionSlot& slot, wire::JointSolution::Builder out) {
-  toWire(slot.position, out.initPosition(8));
-  out.setJoints(slot.joints);
-  out.setFound(slot.found != 0);
-}
-
-suture::Errc fromWire(wire::JointSolution::Reader in, JointSolutionSlot& slot, suture::Duration) {
-  slot.joints = in.getJoints();
-  slot.found = in.getFound();
-  return fromWire(in.getPosition(), slot.position);
 }
 
 bool isValid(const JointSolutionSlot& slot, suture::FieldPath* path) {
@@ -157,37 +110,3 @@ bool isValid(const JointSolutionSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace robots
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::JointState& value) {
-  return rpc::encodeAs<robots::wire::JointState, robots::JointStateSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::JointState& value) {
-  return rpc::decodeAs<robots::wire::JointState, robots::JointStateSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::JointGoal& value) {
-  return rpc::encodeAs<robots::wire::JointGoal, robots::JointGoalSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::JointGoal& value) {
-  return rpc::decodeAs<robots::wire::JointGoal, robots::JointGoalSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::JointSolution& value) {
-  return rpc::encodeAs<robots::wire::JointSolution, robots::JointSolutionSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::JointSolution& value) {
-  return rpc::decodeAs<robots::wire::JointSolution, robots::JointSolutionSlot>(bytes, value);
-}
-
-}  // namespace suture

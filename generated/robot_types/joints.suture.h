@@ -45,6 +45,10 @@ struct JointSolutionSlot {
 bool store(const JointSolution& value, JointSolutionSlot& slot);
 void load(const JointSolutionSlot& slot, JointSolution& value);
 
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path);
+bool isValid(const JointGoalSlot& slot, suture::FieldPath* path);
+bool isValid(const JointSolutionSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

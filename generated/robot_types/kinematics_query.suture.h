@@ -45,6 +45,11 @@ bool store(const InverseKinematicsResponse& value, InverseKinematicsResponseSlot
 void load(const InverseKinematicsResponseSlot& slot, InverseKinematicsResponse& value);
 void reserve(const InverseKinematicsResponseSlot*, InverseKinematicsResponse& value);
 
+bool isValid(const ForwardKinematicsRequestSlot& slot, suture::FieldPath* path);
+bool isValid(const ForwardKinematicsResponseSlot& slot, suture::FieldPath* path);
+bool isValid(const InverseKinematicsRequestSlot& slot, suture::FieldPath* path);
+bool isValid(const InverseKinematicsResponseSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

@@ -1,19 +1,16 @@
 // Written by suturec from robot_types/messages.h. Do not edit.
 #include "robot_types/messages.suture.h"
 
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "robot_types/messages.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -75,30 +72,6 @@ void reserve(const KeyValueSlot*, KeyValue& value) {
   suture::reserveFor<decltype(KeyValueSlot::value)>(value.value);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const IntervalStatisticsSlot& slot, wire::IntervalStatistics::Builder out) {
-  out.setPeriodAverage(slot.period_average);
-  out.setPeriodDeviation(slot.period_deviation);
-  out.setPeriodMin(slot.period_min);
-  out.setPeriodMax(slot.period_max);
-  out.setSamples(slot.samples);
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::IntervalStatistics::Reader in, IntervalStatisticsSlot& slot,
-                      suture::Duration shift) {
-  slot.period_average = in.getPeriodAverage();
-  slot.period_deviation = in.getPeriodDeviation();
-  slot.period_min = in.getPeriodMin();
-  slot.period_max = in.getPeriodMax();
-  slot.samples = in.getSamples();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return suture::Errc{};
-}
-
 bool isValid(const IntervalStatisticsSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.period_average)) return suture::refusedAt(path, "period_average");
   if (!isValid(slot.period_deviation)) return suture::refusedAt(path, "period_deviation");
@@ -106,45 +79,8 @@ bool isValid(const IntervalStatisticsSlot& slot, suture::FieldPath* path) {
   return isValid(slot.period_max) || suture::refusedAt(path, "period_max");
 }
 
-void toWire(const KeyValueSlot& slot, wire::KeyValue::Builder out) {
-  toWire(slot.key, out.initKey(sizeOf(slot.key)));
-  toWire(slot.value, out.initValue(sizeOf(slot.value)));
-}
-
-suture::Errc fromWire(wire::KeyValue::Reader in, KeyValueSlot& slot, suture::Duration) {
-  return suture::rpc::firstError({
-      fromWire(in.getKey(), slot.key),
-      fromWire(in.getValue(), slot.value),
-  });
-}
-
 bool isValid(const KeyValueSlot&, suture::FieldPath*) {
   return true;
 }
 
 }  // namespace robots
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::IntervalStatistics& value) {
-  return rpc::encodeAs<robots::wire::IntervalStatistics, robots::IntervalStatisticsSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::IntervalStatistics& value) {
-  return rpc::decodeAs<robots::wire::IntervalStatistics,
-                       robots::IntervalStatisticsSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::KeyValue& value) {
-  return rpc::encodeAs<robots::wire::KeyValue, robots::KeyValueSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::KeyValue& value) {
-  return rpc::decodeAs<robots::wire::KeyValue, robots::KeyValueSlot>(bytes, value);
-}
-
-}  // namespace suture

@@ -33,6 +33,9 @@ bool store(const KeyValue& value, KeyValueSlot& slot);
 void load(const KeyValueSlot& slot, KeyValue& value);
 void reserve(const KeyValueSlot*, KeyValue& value);
 
+bool isValid(const IntervalStatisticsSlot& slot, suture::FieldPath* path);
+bool isValid(const KeyValueSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

@@ -22,6 +22,9 @@ void load(const OperatingStateSlot& slot, OperatingState& value);
 void reserve(const OperatingStateSlot*, OperatingState& value);
 void shiftStamps(OperatingStateSlot& slot, suture::Duration shift);
 
+bool isKnownArmState(std::uint8_t slot);
+bool isValid(const OperatingStateSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

@@ -1,19 +1,16 @@
 // Written by suturec from robot_types/pose.h. Do not edit.
 #include "robot_types/pose.suture.h"
 
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "robot_types/pose.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -133,65 +130,12 @@ void shiftStamps(PosePrmSlot& slot, suture::Duration shift) {
   slot.timestamp = suture::rpc::shifted(slot.timestamp, shift);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
-  toWire(slot.pose, out.initPose());
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return in.hasPose() ? fromWire(in.getPose(), slot.pose)
-      : suture::rpc::fromDefault(PoseStamped().pose, slot.pose);
-}
-
 bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {
   return isValid(slot.pose) || suture::refusedAt(path, "pose");
 }
 
-void toWire(const TransformStampedSlot& slot, wire::TransformStamped::Builder out) {
-  toWire(slot.transform, out.initTransform());
-  out.setReferenceFrame(slot.reference_frame);
-  out.setMovingFrame(slot.moving_frame);
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::TransformStamped::Reader in, TransformStampedSlot& slot,
-                      suture::Duration shift) {
-  slot.reference_frame = in.getReferenceFrame();
-  slot.moving_frame = in.getMovingFrame();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return in.hasTransform() ? fromWire(in.getTransform(), slot.transform)
-      : suture::rpc::fromDefault(TransformStamped().transform, slot.transform);
-}
-
 bool isValid(const TransformStampedSlot& slot, suture::FieldPath* path) {
   return isValid(slot.transform) || suture::refusedAt(path, "transform");
-}
-
-void toWire(const PoseSampleSlot& slot, wire::PoseSample::Builder out) {
-  toWire(slot.rotation, out.initRotation());
-  toWire(slot.position, out.initPosition());
-  out.setStamp(slot.stamp);
-  out.setSequence(slot.sequence);
-  out.setFlags(slot.flags);
-}
-
-suture::Errc fromWire(wire::PoseSample::Reader in, PoseSampleSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.sequence = in.getSequence();
-  slot.flags = in.getFlags();
-  return suture::rpc::firstError({
-      in.hasRotation() ? fromWire(in.getRotation(), slot.rotation)
-          : suture::rpc::fromDefault(PoseSample().rotation, slot.rotation),
-      in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : suture::rpc::fromDefault(PoseSample().position, slot.position),
-  });
 }
 
 bool isValid(const PoseSampleSlot& slot, suture::FieldPath* path) {
@@ -199,73 +143,8 @@ bool isValid(const PoseSampleSlot& slot, suture::FieldPath* path) {
   return isValid(slot.position, path) || suture::refusedAt(path, "position");
 }
 
-void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out) {
-  out.setTimestamp(slot.timestamp);
-  out.setAutomaticTimestamp(slot.automatic_timestamp != 0);
-  out.setValid(slot.valid != 0);
-  toWire(slot.moving_frame, out.initMovingFrame(sizeOf(slot.moving_frame)));
-  toWire(slot.reference_frame, out.initReferenceFrame(sizeOf(slot.reference_frame)));
-  toWire(slot.position, out.initPosition());
-}
-
-suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift) {
-  slot.timestamp = suture::rpc::shifted(in.getTimestamp(), shift);
-  slot.automatic_timestamp = in.getAutomaticTimestamp();
-  slot.valid = in.getValid();
-  return suture::rpc::firstError({
-      fromWire(in.getMovingFrame(), slot.moving_frame),
-      fromWire(in.getReferenceFrame(), slot.reference_frame),
-      in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : suture::rpc::fromDefault(PosePrm().position, slot.position),
-  });
-}
-
 bool isValid(const PosePrmSlot& slot, suture::FieldPath* path) {
   return isValid(slot.position) || suture::refusedAt(path, "position");
 }
 
 }  // namespace robots
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::PoseStamped& value) {
-  return rpc::encodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::PoseStamped& value) {
-  return rpc::decodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::TransformStamped& value) {
-  return rpc::encodeAs<robots::wire::TransformStamped, robots::TransformStampedSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::TransformStamped& value) {
-  return rpc::decodeAs<robots::wire::TransformStamped, robots::TransformStampedSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::PoseSample& value) {
-  return rpc::encodeAs<robots::wire::PoseSample, robots::PoseSampleSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::PoseSample& value) {
-  return rpc::decodeAs<robots::wire::PoseSample, robots::PoseSampleSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::PosePrm& value) {
-  return rpc::encodeAs<robots::wire::PosePrm, robots::PosePrmSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::PosePrm& value) {
-  return rpc::decodeAs<robots::wire::PosePrm, robots::PosePrmSlot>(bytes, value);
-}
-
-}  // namespace suture

@@ -62,6 +62,11 @@ void load(const PosePrmSlot& slot, PosePrm& value);
 void reserve(const PosePrmSlot*, PosePrm& value);
 void shiftStamps(PosePrmSlot& slot, suture::Duration shift);
 
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
+bool isValid(const TransformStampedSlot& slot, suture::FieldPath* path);
+bool isValid(const PoseSampleSlot& slot, suture::FieldPath* path);
+bool isValid(const PosePrmSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

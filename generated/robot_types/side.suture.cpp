@@ -1,11 +1,11 @@
 // Written by suturec from robot_types/side.h. Do not edit.
 #include "robot_types/side.suture.h"
 
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
-
-#include "robot_types/side.capnp.h"
 
 namespace robots {
 namespace {
@@ -17,16 +17,6 @@ static_assert(static_cast<std::uint8_t>(Side::Right) == 1);
 
 }  // namespace
 
-// --- between slots and Cap'n Proto
-
-wire::Side wireSide(std::uint8_t slot) {
-  switch (static_cast<Side>(slot)) {
-    case Side::Left: return wire::Side::LEFT;
-    case Side::Right: return wire::Side::RIGHT;
-  }
-  return wire::Side{};
-}
-
 bool isKnownSide(std::uint8_t slot) {
   switch (static_cast<Side>(slot)) {
     case Side::Left:
@@ -34,14 +24,6 @@ bool isKnownSide(std::uint8_t slot) {
       return true;
   }
   return false;
-}
-
-suture::Errc fromWire(wire::Side in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::Side::LEFT: return slot = static_cast<std::uint8_t>(Side::Left), suture::Errc{};
-    case wire::Side::RIGHT: return slot = static_cast<std::uint8_t>(Side::Right), suture::Errc{};
-  }
-  return suture::Errc::Invalid;
 }
 
 }  // namespace robots

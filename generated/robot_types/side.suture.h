@@ -3,3 +3,9 @@
 
 
 #include "robot_types/side.h"
+
+namespace robots {
+
+bool isKnownSide(std::uint8_t slot);
+
+}  // namespace robots

@@ -70,6 +70,11 @@ void load(const DepthMapSlot& slot, DepthMap& value);
 void reserve(const DepthMapSlot*, DepthMap& value);
 void shiftStamps(DepthMapSlot& slot, suture::Duration shift);
 
+bool isValid(const PoseArraySlot& slot, suture::FieldPath* path);
+bool isValid(const ImageFrameSlot& slot, suture::FieldPath* path);
+bool isValid(const CameraInfoSlot& slot, suture::FieldPath* path);
+bool isValid(const DepthMapSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

@@ -1,20 +1,17 @@
 // Written by suturec from strand/strand_simulation.h. Do not edit.
 #include "strand/strand_simulation.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "strand/strand_simulation.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -43,28 +40,10 @@ void load(const StrandParametersSlot& slot, StrandParameters& value) {
   load(slot.wrap, value.wrap);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const StrandParametersSlot& slot, wire::StrandParameters::Builder out) {
-  out.setPeriod(slot.period);
-  out.setLength(slot.length);
-  out.setFriction(slot.friction);
-  out.setWrap(slot.wrap);
-}
-
-suture::Errc fromWire(wire::StrandParameters::Reader in, StrandParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.length = in.getLength();
-  slot.friction = in.getFriction();
-  slot.wrap = in.getWrap();
-  return suture::Errc{};
-}
-
 bool isValid(const StrandParametersSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.length, 0.02, 1)) return suture::refusedAt(path, "length");
-  if (!suture::rpc::inRange(slot.friction, 0, 1)) return suture::refusedAt(path, "friction");
-  return suture::rpc::inRange(slot.wrap, 0, 100) || suture::refusedAt(path, "wrap");
+  if (!suture::inRange(slot.length, 0.02, 1)) return suture::refusedAt(path, "length");
+  if (!suture::inRange(slot.friction, 0, 1)) return suture::refusedAt(path, "friction");
+  return suture::inRange(slot.wrap, 0, 100) || suture::refusedAt(path, "wrap");
 }
 
 }  // namespace robots
@@ -83,16 +62,6 @@ void fromJson(const suture::JsonReader& in, StrandParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::StrandParameters& value) {
-  return rpc::encodeAs<robots::wire::StrandParameters, robots::StrandParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::StrandParameters& value) {
-  return rpc::decodeAs<robots::wire::StrandParameters, robots::StrandParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::StrandSimulation>() {

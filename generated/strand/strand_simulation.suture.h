@@ -26,6 +26,8 @@ struct StrandParametersSlot {
 bool store(const StrandParameters& value, StrandParametersSlot& slot);
 void load(const StrandParametersSlot& slot, StrandParameters& value);
 
+bool isValid(const StrandParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, StrandParameters& value);
 

@@ -25,6 +25,8 @@ bool store(const StrandState& value, StrandStateSlot& slot);
 void load(const StrandStateSlot& slot, StrandState& value);
 void shiftStamps(StrandStateSlot& slot, suture::Duration shift);
 
+bool isValid(const StrandStateSlot& slot, suture::FieldPath* path);
+
 /// Names the numbers of StrandView's commands in every table and record.
 enum class StrandViewCommand : std::uint16_t {
   strand,

@@ -1,20 +1,17 @@
 // Written by suturec from surgeon/knot_surgeon.h. Do not edit.
 #include "surgeon/knot_surgeon.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "surgeon/knot_surgeon.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -46,32 +43,11 @@ void load(const KnotSurgeonParametersSlot& slot, KnotSurgeonParameters& value) {
   load(slot.sway_frequency, value.sway_frequency);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const KnotSurgeonParametersSlot& slot, wire::KnotSurgeonParameters::Builder out) {
-  out.setPeriod(slot.period);
-  toWire(slot.carry, out.initCarry());
-  out.setDuration(slot.duration);
-  out.setSway(slot.sway);
-  out.setSwayFrequency(slot.sway_frequency);
-}
-
-suture::Errc fromWire(wire::KnotSurgeonParameters::Reader in, KnotSurgeonParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.duration = in.getDuration();
-  slot.sway = in.getSway();
-  slot.sway_frequency = in.getSwayFrequency();
-  return in.hasCarry() ? fromWire(in.getCarry(), slot.carry)
-      : suture::rpc::fromDefault(KnotSurgeonParameters().carry, slot.carry);
-}
-
 bool isValid(const KnotSurgeonParametersSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.carry, path)) return suture::refusedAt(path, "carry");
-  if (!suture::rpc::inRange(slot.duration, 0.1, 100)) return suture::refusedAt(path, "duration");
-  if (!suture::rpc::inRange(slot.sway, 0, 0.05)) return suture::refusedAt(path, "sway");
-  return suture::rpc::inRange(slot.sway_frequency, 0, 10) ||
-      suture::refusedAt(path, "sway_frequency");
+  if (!suture::inRange(slot.duration, 0.1, 100)) return suture::refusedAt(path, "duration");
+  if (!suture::inRange(slot.sway, 0, 0.05)) return suture::refusedAt(path, "sway");
+  return suture::inRange(slot.sway_frequency, 0, 10) || suture::refusedAt(path, "sway_frequency");
 }
 
 }  // namespace robots
@@ -91,18 +67,6 @@ void fromJson(const suture::JsonReader& in, KnotSurgeonParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::KnotSurgeonParameters& value) {
-  return rpc::encodeAs<robots::wire::KnotSurgeonParameters,
-                       robots::KnotSurgeonParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::KnotSurgeonParameters& value) {
-  return rpc::decodeAs<robots::wire::KnotSurgeonParameters,
-                       robots::KnotSurgeonParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::KnotSurgeon>() {

@@ -26,6 +26,8 @@ struct KnotSurgeonParametersSlot {
 bool store(const KnotSurgeonParameters& value, KnotSurgeonParametersSlot& slot);
 void load(const KnotSurgeonParametersSlot& slot, KnotSurgeonParameters& value);
 
+bool isValid(const KnotSurgeonParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, KnotSurgeonParameters& value);
 

@@ -1,20 +1,17 @@
 // Written by suturec from surgeon/operator.h. Do not edit.
 #include "surgeon/operator.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "surgeon/operator.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -79,16 +76,6 @@ void load(const OperatorParametersSlot& slot, OperatorParameters& value) {
   load(slot.slave_age, value.slave_age);
 }
 
-// --- between slots and Cap'n Proto
-
-wire::ForceFeedback wireForceFeedback(std::uint8_t slot) {
-  switch (static_cast<ForceFeedback>(slot)) {
-    case ForceFeedback::None: return wire::ForceFeedback::NONE;
-    case ForceFeedback::PositionPosition: return wire::ForceFeedback::POSITION_POSITION;
-  }
-  return wire::ForceFeedback{};
-}
-
 bool isKnownForceFeedback(std::uint8_t slot) {
   switch (static_cast<ForceFeedback>(slot)) {
     case ForceFeedback::None:
@@ -98,68 +85,18 @@ bool isKnownForceFeedback(std::uint8_t slot) {
   return false;
 }
 
-suture::Errc fromWire(wire::ForceFeedback in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::ForceFeedback::NONE: return slot =
-        static_cast<std::uint8_t>(ForceFeedback::None), suture::Errc{};
-    case wire::ForceFeedback::POSITION_POSITION: return slot =
-        static_cast<std::uint8_t>(ForceFeedback::PositionPosition), suture::Errc{};
-  }
-  return suture::Errc::Invalid;
-}
-
-void toWire(const OperatorParametersSlot& slot, wire::OperatorParameters::Builder out) {
-  out.setPeriod(slot.period);
-  toWire(slot.target, out.initTarget());
-  out.setScale(slot.scale);
-  out.setCrossoverFrequency(slot.crossover_frequency);
-  out.setDelay(slot.delay);
-  out.setRemnant(slot.remnant);
-  out.setSeed(slot.seed);
-  out.setTremor(slot.tremor);
-  out.setSpeed(slot.speed);
-  out.setPictureAge(slot.picture_age);
-  out.setForceFeedback(wireForceFeedback(slot.force_feedback));
-  out.setStiffness(slot.stiffness);
-  out.setDamping(slot.damping);
-  out.setPassive(slot.passive != 0);
-  out.setSlaveAge(slot.slave_age);
-}
-
-suture::Errc fromWire(wire::OperatorParameters::Reader in, OperatorParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.scale = in.getScale();
-  slot.crossover_frequency = in.getCrossoverFrequency();
-  slot.delay = in.getDelay();
-  slot.remnant = in.getRemnant();
-  slot.seed = in.getSeed();
-  slot.tremor = in.getTremor();
-  slot.speed = in.getSpeed();
-  slot.picture_age = in.getPictureAge();
-  slot.stiffness = in.getStiffness();
-  slot.damping = in.getDamping();
-  slot.passive = in.getPassive();
-  slot.slave_age = in.getSlaveAge();
-  return suture::rpc::firstError({
-      in.hasTarget() ? fromWire(in.getTarget(), slot.target)
-          : suture::rpc::fromDefault(OperatorParameters().target, slot.target),
-      fromWire(in.getForceFeedback(), slot.force_feedback),
-  });
-}
-
 bool isValid(const OperatorParametersSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.target, path)) return suture::refusedAt(path, "target");
-  if (!suture::rpc::inRange(slot.scale, 0.01, 10)) return suture::refusedAt(path, "scale");
-  if (!suture::rpc::inRange(slot.crossover_frequency, 0.1, 20)) {
+  if (!suture::inRange(slot.scale, 0.01, 10)) return suture::refusedAt(path, "scale");
+  if (!suture::inRange(slot.crossover_frequency, 0.1, 20)) {
     return suture::refusedAt(path, "crossover_frequency");
   }
-  if (!suture::rpc::inRange(slot.remnant, 0, 1)) return suture::refusedAt(path, "remnant");
-  if (!suture::rpc::inRange(slot.tremor, 0, 0.002)) return suture::refusedAt(path, "tremor");
-  if (!suture::rpc::inRange(slot.speed, 0.001, 1)) return suture::refusedAt(path, "speed");
+  if (!suture::inRange(slot.remnant, 0, 1)) return suture::refusedAt(path, "remnant");
+  if (!suture::inRange(slot.tremor, 0, 0.002)) return suture::refusedAt(path, "tremor");
+  if (!suture::inRange(slot.speed, 0.001, 1)) return suture::refusedAt(path, "speed");
   if (!isKnownForceFeedback(slot.force_feedback)) return suture::refusedAt(path, "force_feedback");
-  if (!suture::rpc::inRange(slot.stiffness, 0, 5000)) return suture::refusedAt(path, "stiffness");
-  return suture::rpc::inRange(slot.damping, 0, 100) || suture::refusedAt(path, "damping");
+  if (!suture::inRange(slot.stiffness, 0, 5000)) return suture::refusedAt(path, "stiffness");
+  return suture::inRange(slot.damping, 0, 100) || suture::refusedAt(path, "damping");
 }
 
 }  // namespace robots
@@ -195,17 +132,6 @@ void fromJson(const suture::JsonReader& in, OperatorParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::OperatorParameters& value) {
-  return rpc::encodeAs<robots::wire::OperatorParameters, robots::OperatorParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::OperatorParameters& value) {
-  return rpc::decodeAs<robots::wire::OperatorParameters,
-                       robots::OperatorParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::Operator>() {

@@ -37,6 +37,9 @@ struct OperatorParametersSlot {
 bool store(const OperatorParameters& value, OperatorParametersSlot& slot);
 void load(const OperatorParametersSlot& slot, OperatorParameters& value);
 
+bool isKnownForceFeedback(std::uint8_t slot);
+bool isValid(const OperatorParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, OperatorParameters& value);
 

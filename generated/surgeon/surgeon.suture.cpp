@@ -1,20 +1,17 @@
 // Written by suturec from surgeon/surgeon.h. Do not edit.
 #include "surgeon/surgeon.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "surgeon/surgeon.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -49,34 +46,12 @@ void load(const SurgeonParametersSlot& slot, SurgeonParameters& value) {
   load(slot.ramp, value.ramp);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const SurgeonParametersSlot& slot, wire::SurgeonParameters::Builder out) {
-  out.setPeriod(slot.period);
-  out.setAmplitude(slot.amplitude);
-  out.setTurn(slot.turn);
-  out.setFrequency(slot.frequency);
-  out.setOpening(slot.opening);
-  out.setRamp(slot.ramp);
-}
-
-suture::Errc fromWire(wire::SurgeonParameters::Reader in, SurgeonParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.amplitude = in.getAmplitude();
-  slot.turn = in.getTurn();
-  slot.frequency = in.getFrequency();
-  slot.opening = in.getOpening();
-  slot.ramp = in.getRamp();
-  return suture::Errc{};
-}
-
 bool isValid(const SurgeonParametersSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.amplitude, 0, 0.2)) return suture::refusedAt(path, "amplitude");
-  if (!suture::rpc::inRange(slot.turn, 0, 1)) return suture::refusedAt(path, "turn");
-  if (!suture::rpc::inRange(slot.frequency, 0.001, 10)) return suture::refusedAt(path, "frequency");
-  if (!suture::rpc::inRange(slot.opening, 0, 1.047)) return suture::refusedAt(path, "opening");
-  return suture::rpc::inRange(slot.ramp, 0.1, 100) || suture::refusedAt(path, "ramp");
+  if (!suture::inRange(slot.amplitude, 0, 0.2)) return suture::refusedAt(path, "amplitude");
+  if (!suture::inRange(slot.turn, 0, 1)) return suture::refusedAt(path, "turn");
+  if (!suture::inRange(slot.frequency, 0.001, 10)) return suture::refusedAt(path, "frequency");
+  if (!suture::inRange(slot.opening, 0, 1.047)) return suture::refusedAt(path, "opening");
+  return suture::inRange(slot.ramp, 0.1, 100) || suture::refusedAt(path, "ramp");
 }
 
 }  // namespace robots
@@ -97,17 +72,6 @@ void fromJson(const suture::JsonReader& in, SurgeonParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::SurgeonParameters& value) {
-  return rpc::encodeAs<robots::wire::SurgeonParameters, robots::SurgeonParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::SurgeonParameters& value) {
-  return rpc::decodeAs<robots::wire::SurgeonParameters,
-                       robots::SurgeonParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::Surgeon>() {

@@ -28,6 +28,8 @@ struct SurgeonParametersSlot {
 bool store(const SurgeonParameters& value, SurgeonParametersSlot& slot);
 void load(const SurgeonParametersSlot& slot, SurgeonParameters& value);
 
+bool isValid(const SurgeonParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, SurgeonParameters& value);
 

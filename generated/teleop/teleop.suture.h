@@ -43,6 +43,8 @@ struct TeleopParametersSlot {
 bool store(const TeleopParameters& value, TeleopParametersSlot& slot);
 void load(const TeleopParametersSlot& slot, TeleopParameters& value);
 
+bool isValid(const TeleopParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, TeleopParameters& value);
 

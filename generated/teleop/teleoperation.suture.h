@@ -39,6 +39,10 @@ struct TeleopSettingsSlot {
 bool store(const TeleopSettings& value, TeleopSettingsSlot& slot);
 void load(const TeleopSettingsSlot& slot, TeleopSettings& value);
 
+bool isKnownTeleopState(std::uint8_t slot);
+bool isValid(const FollowAnchorsSlot& slot, suture::FieldPath* path);
+bool isValid(const TeleopSettingsSlot& slot, suture::FieldPath* path);
+
 // --- Teleoperation: the arguments of its commands ---
 
 struct TeleoperationSetScaleArguments {

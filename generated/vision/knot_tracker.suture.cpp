@@ -1,20 +1,17 @@
 // Written by suturec from vision/knot_tracker.h. Do not edit.
 #include "vision/knot_tracker.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "vision/knot_tracker.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -40,25 +37,8 @@ void load(const TrackerParametersSlot& slot, TrackerParameters& value) {
   load(slot.acceleration, value.acceleration);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const TrackerParametersSlot& slot, wire::TrackerParameters::Builder out) {
-  out.setPeriod(slot.period);
-  out.setMaxAge(slot.max_age);
-  out.setAcceleration(slot.acceleration);
-}
-
-suture::Errc fromWire(wire::TrackerParameters::Reader in, TrackerParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.max_age = in.getMaxAge();
-  slot.acceleration = in.getAcceleration();
-  return suture::Errc{};
-}
-
 bool isValid(const TrackerParametersSlot& slot, suture::FieldPath* path) {
-  return suture::rpc::inRange(slot.acceleration, 0.001, 100) ||
-      suture::refusedAt(path, "acceleration");
+  return suture::inRange(slot.acceleration, 0.001, 100) || suture::refusedAt(path, "acceleration");
 }
 
 }  // namespace robots
@@ -76,17 +56,6 @@ void fromJson(const suture::JsonReader& in, TrackerParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::TrackerParameters& value) {
-  return rpc::encodeAs<robots::wire::TrackerParameters, robots::TrackerParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::TrackerParameters& value) {
-  return rpc::decodeAs<robots::wire::TrackerParameters,
-                       robots::TrackerParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::KnotTracker>() {

@@ -24,6 +24,8 @@ struct TrackerParametersSlot {
 bool store(const TrackerParameters& value, TrackerParametersSlot& slot);
 void load(const TrackerParametersSlot& slot, TrackerParameters& value);
 
+bool isValid(const TrackerParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, TrackerParameters& value);
 

@@ -1,20 +1,16 @@
 // Written by suturec from vision/knot_vision.h. Do not edit.
 #include "vision/knot_vision.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "vision/knot_vision.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -50,97 +46,16 @@ void shiftStamps(KnotSightingSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const KnotSightingSlot& slot, wire::KnotSighting::Builder out) {
-  toWire(slot.knot, out.initKnot());
-  toWire(slot.left_tip, out.initLeftTip());
-  toWire(slot.right_tip, out.initRightTip());
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::KnotSighting::Reader in, KnotSightingSlot& slot,
-                      suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return suture::rpc::firstError({
-      in.hasKnot() ? fromWire(in.getKnot(), slot.knot)
-          : suture::rpc::fromDefault(KnotSighting().knot, slot.knot),
-      in.hasLeftTip() ? fromWire(in.getLeftTip(), slot.left_tip)
-          : suture::rpc::fromDefault(KnotSighting().left_tip, slot.left_tip),
-      in.hasRightTip() ? fromWire(in.getRightTip(), slot.right_tip)
-          : suture::rpc::fromDefault(KnotSighting().right_tip, slot.right_tip),
-  });
-}
-
 bool isValid(const KnotSightingSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.knot, path)) return suture::refusedAt(path, "knot");
   if (!isValid(slot.left_tip, path)) return suture::refusedAt(path, "left_tip");
   return isValid(slot.right_tip, path) || suture::refusedAt(path, "right_tip");
 }
 
+// Defined in vision/knot_vision.wire.cpp.
+const suture::rpc::Codec& knotVisionCodec();
+
 namespace {
-
-// --- KnotVision as Cap'n Proto
-
-void encodeKnotVisionSightingResult(const KnotSightingSlot& slot,
-                                    wire::KnotVision::SightingResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeKnotVisionSightingResult(wire::KnotVision::SightingResults::Reader in,
-                                            KnotSightingSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeKnotVisionSightingColumn(const KnotSightingSlot& slot,
-                                    wire::KnotVisionStateRow::Builder out) {
-  toWire(slot, out.initSighting());
-}
-suture::Errc decodeKnotVisionSightingColumn(wire::KnotVisionStateRow::Reader in,
-                                            KnotSightingSlot& slot, suture::Duration shift) {
-  return in.hasSighting() ? fromWire(in.getSighting(), slot, shift) : suture::Errc::Invalid;
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeKnotVisionColumn(unsigned column, const std::byte* memory,
-                            wire::KnotVisionStateRow::Builder out) {
-  switch (static_cast<KnotVisionColumn>(column)) {
-    case KnotVisionColumn::sighting:
-      return encodeKnotVisionSightingColumn(suture::slotIn<KnotSightingSlot>(memory), out);
-  }
-}
-suture::Errc decodeKnotVisionColumn(wire::KnotVisionStateRow::Reader in, unsigned column,
-                                    std::byte* memory, suture::Duration shift) {
-  switch (static_cast<KnotVisionColumn>(column)) {
-    case KnotVisionColumn::sighting:
-      return decodeKnotVisionSightingColumn(in, suture::newSlot<KnotSightingSlot>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kKnotVisionCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::KnotVision>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::KnotVision::SightingParams>,
-     .result = suture::rpc::messageOf<wire::KnotVision::SightingResults, KnotSightingSlot,
-                                      encodeKnotVisionSightingResult,
-                                      decodeKnotVisionSightingResult>,
-     .stamp = suture::rpc::stampIn<wire::KnotVision::SightingResults>},
-};
-
-const suture::rpc::Codec& knotVisionCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::KnotVision>,
-      .contract = capnp::typeId<wire::KnotVision>(),
-      .subscriber = capnp::typeId<wire::KnotVisionEvents>(),
-      .commands = kKnotVisionCommandCodecs,
-      .events = {},
-      .row = suture::rpc::rowOf<wire::KnotVisionEvents::StateParams, wire::KnotVisionStateRow,
-                                encodeKnotVisionColumn, decodeKnotVisionColumn>,
-  };
-  return kCodec;
-}
 
 constexpr suture::CommandInfo kKnotVisionCommands[] = {
     {.name = "sighting",
@@ -187,16 +102,6 @@ constexpr char kKnotVisionDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::KnotSighting& value) {
-  return rpc::encodeAs<robots::wire::KnotSighting, robots::KnotSightingSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::KnotSighting& value) {
-  return rpc::decodeAs<robots::wire::KnotSighting, robots::KnotSightingSlot>(bytes, value);
-}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::KnotVision>() {

@@ -25,6 +25,8 @@ bool store(const KnotSighting& value, KnotSightingSlot& slot);
 void load(const KnotSightingSlot& slot, KnotSighting& value);
 void shiftStamps(KnotSightingSlot& slot, suture::Duration shift);
 
+bool isValid(const KnotSightingSlot& slot, suture::FieldPath* path);
+
 /// Names the numbers of KnotVision's commands in every table and record.
 enum class KnotVisionCommand : std::uint16_t {
   sighting,

@@ -1,27 +1,16 @@
 // Written by suturec from vision/stereo_images.h. Do not edit.
 #include "vision/stereo_images.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "vision/stereo_images.capnp.h"
-
-// Defined in robot_types/vision.suture.cpp.
-namespace robots {
-void toWire(const ImageFrameSlot& slot, wire::ImageFrame::Builder out);
-suture::Errc fromWire(wire::ImageFrame::Reader in, ImageFrameSlot& slot, suture::Duration shift);
-bool isValid(const ImageFrameSlot& slot, suture::FieldPath* path);
-}  // namespace robots
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -54,117 +43,15 @@ void shiftStamps(StereoPairSlot& slot, suture::Duration shift) {
   shiftStamps(slot.right, shift);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const StereoPairSlot& slot, wire::StereoPair::Builder out) {
-  toWire(slot.left, out.initLeft());
-  toWire(slot.right, out.initRight());
-}
-
-suture::Errc fromWire(wire::StereoPair::Reader in, StereoPairSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
-      fromWire(in.getLeft(), slot.left, shift),
-      fromWire(in.getRight(), slot.right, shift),
-  });
-}
-
 bool isValid(const StereoPairSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.left, path)) return suture::refusedAt(path, "left");
   return isValid(slot.right, path) || suture::refusedAt(path, "right");
 }
 
+// Defined in vision/stereo_images.wire.cpp.
+const suture::rpc::Codec& stereoImagesCodec();
+
 namespace {
-
-// --- StereoImages as Cap'n Proto
-
-void encodeStereoImagesImagesResult(const StereoPairSlot& slot,
-                                    wire::StereoImages::ImagesResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeStereoImagesImagesResult(wire::StereoImages::ImagesResults::Reader in,
-                                            StereoPairSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeStereoImagesExposedResult(const std::int64_t& slot,
-                                     wire::StereoImages::ExposedResults::Builder out) {
-  out.setValue(slot);
-}
-suture::Errc decodeStereoImagesExposedResult(wire::StereoImages::ExposedResults::Reader in,
-                                             std::int64_t& slot, suture::Duration shift) {
-  slot = suture::rpc::shifted(in.getValue(), shift);
-  return suture::Errc{};
-}
-
-void encodeStereoImagesImagesColumn(const StereoPairSlot& slot,
-                                    wire::StereoImagesStateRow::Builder out) {
-  toWire(slot, out.initImages());
-}
-suture::Errc decodeStereoImagesImagesColumn(wire::StereoImagesStateRow::Reader in,
-                                            StereoPairSlot& slot, suture::Duration shift) {
-  return in.hasImages() ? fromWire(in.getImages(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeStereoImagesExposedColumn(const std::int64_t& slot,
-                                     wire::StereoImagesStateRow::Builder out) {
-  out.setExposed(slot);
-}
-suture::Errc decodeStereoImagesExposedColumn(wire::StereoImagesStateRow::Reader in,
-                                             std::int64_t& slot, suture::Duration shift) {
-  slot = suture::rpc::shifted(in.getExposed(), shift);
-  return suture::Errc{};
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeStereoImagesColumn(unsigned column, const std::byte* memory,
-                              wire::StereoImagesStateRow::Builder out) {
-  switch (static_cast<StereoImagesColumn>(column)) {
-    case StereoImagesColumn::images:
-      return encodeStereoImagesImagesColumn(suture::slotIn<StereoPairSlot>(memory), out);
-    case StereoImagesColumn::exposed:
-      return encodeStereoImagesExposedColumn(suture::slotIn<std::int64_t>(memory), out);
-  }
-}
-suture::Errc decodeStereoImagesColumn(wire::StereoImagesStateRow::Reader in, unsigned column,
-                                      std::byte* memory, suture::Duration shift) {
-  switch (static_cast<StereoImagesColumn>(column)) {
-    case StereoImagesColumn::images:
-      return decodeStereoImagesImagesColumn(in, suture::newSlot<StereoPairSlot>(memory), shift);
-    case StereoImagesColumn::exposed:
-      return decodeStereoImagesExposedColumn(in, suture::newSlot<std::int64_t>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kStereoImagesCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::StereoImages>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::StereoImages::ImagesParams>,
-     .result = suture::rpc::messageOf<wire::StereoImages::ImagesResults, StereoPairSlot,
-                                      encodeStereoImagesImagesResult,
-                                      decodeStereoImagesImagesResult>,
-     .stamp = suture::rpc::stampIn<wire::StereoImages::ImagesResults>},
-    {.interface = capnp::typeId<wire::StereoImages>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::StereoImages::ExposedParams>,
-     .result = suture::rpc::messageOf<wire::StereoImages::ExposedResults, std::int64_t,
-                                      encodeStereoImagesExposedResult,
-                                      decodeStereoImagesExposedResult>,
-     .stamp = suture::rpc::stampIn<wire::StereoImages::ExposedResults>},
-};
-
-const suture::rpc::Codec& stereoImagesCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::StereoImages>,
-      .contract = capnp::typeId<wire::StereoImages>(),
-      .subscriber = capnp::typeId<wire::StereoImagesEvents>(),
-      .commands = kStereoImagesCommandCodecs,
-      .events = {},
-      .row = suture::rpc::rowOf<wire::StereoImagesEvents::StateParams, wire::StereoImagesStateRow,
-                                encodeStereoImagesColumn, decodeStereoImagesColumn>,
-  };
-  return kCodec;
-}
 
 constexpr suture::BoundedLevel kStereoImagesImagesResultLevels[] = {
     suture::levelAt<suture::BoundedList<std::uint8_t, 2097152>>(offsetof(StereoPairSlot,
@@ -239,16 +126,6 @@ constexpr char kStereoImagesDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::StereoPair& value) {
-  return rpc::encodeAs<robots::wire::StereoPair, robots::StereoPairSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::StereoPair& value) {
-  return rpc::decodeAs<robots::wire::StereoPair, robots::StereoPairSlot>(bytes, value);
-}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::StereoImages>() {

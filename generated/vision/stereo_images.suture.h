@@ -24,6 +24,8 @@ void load(const StereoPairSlot& slot, StereoPair& value);
 void reserve(const StereoPairSlot*, StereoPair& value);
 void shiftStamps(StereoPairSlot& slot, suture::Duration shift);
 
+bool isValid(const StereoPairSlot& slot, suture::FieldPath* path);
+
 /// Names the numbers of StereoImages's commands in every table and record.
 enum class StereoImagesCommand : std::uint16_t {
   images,

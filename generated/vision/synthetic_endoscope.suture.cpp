@@ -1,20 +1,17 @@
 // Written by suturec from vision/synthetic_endoscope.h. Do not edit.
 #include "vision/synthetic_endoscope.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "vision/synthetic_endoscope.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -49,33 +46,11 @@ void load(const EndoscopeParametersSlot& slot, EndoscopeParameters& value) {
   load(slot.vergence, value.vergence);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const EndoscopeParametersSlot& slot, wire::EndoscopeParameters::Builder out) {
-  out.setPeriod(slot.period);
-  out.setNoise(slot.noise);
-  out.setBlur(slot.blur);
-  out.setDropout(slot.dropout);
-  out.setLatency(slot.latency);
-  out.setVergence(slot.vergence);
-}
-
-suture::Errc fromWire(wire::EndoscopeParameters::Reader in, EndoscopeParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  slot.noise = in.getNoise();
-  slot.blur = in.getBlur();
-  slot.dropout = in.getDropout();
-  slot.latency = in.getLatency();
-  slot.vergence = in.getVergence();
-  return suture::Errc{};
-}
-
 bool isValid(const EndoscopeParametersSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.noise, 0, 5)) return suture::refusedAt(path, "noise");
-  if (!suture::rpc::inRange(slot.blur, 0, 3)) return suture::refusedAt(path, "blur");
-  if (!suture::rpc::inRange(slot.dropout, 0, 1)) return suture::refusedAt(path, "dropout");
-  return suture::rpc::inRange(slot.vergence, -0.1, 0.1) || suture::refusedAt(path, "vergence");
+  if (!suture::inRange(slot.noise, 0, 5)) return suture::refusedAt(path, "noise");
+  if (!suture::inRange(slot.blur, 0, 3)) return suture::refusedAt(path, "blur");
+  if (!suture::inRange(slot.dropout, 0, 1)) return suture::refusedAt(path, "dropout");
+  return suture::inRange(slot.vergence, -0.1, 0.1) || suture::refusedAt(path, "vergence");
 }
 
 }  // namespace robots
@@ -96,17 +71,6 @@ void fromJson(const suture::JsonReader& in, EndoscopeParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::EndoscopeParameters& value) {
-  return rpc::encodeAs<robots::wire::EndoscopeParameters, robots::EndoscopeParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::EndoscopeParameters& value) {
-  return rpc::decodeAs<robots::wire::EndoscopeParameters,
-                       robots::EndoscopeParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::SyntheticEndoscope>() {

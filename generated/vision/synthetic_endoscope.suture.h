@@ -30,6 +30,8 @@ struct EndoscopeParametersSlot {
 bool store(const EndoscopeParameters& value, EndoscopeParametersSlot& slot);
 void load(const EndoscopeParametersSlot& slot, EndoscopeParameters& value);
 
+bool isValid(const EndoscopeParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, EndoscopeParameters& value);
 

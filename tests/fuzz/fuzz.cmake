@@ -61,7 +61,7 @@ function(suture_fuzzer name)
   set_tests_properties(fuzz.${name}.planted PROPERTIES PASS_REGULAR_EXPRESSION "libFuzzer: deadly signal")
 endfunction()
 
-# Makes the fuzzer of all decoders that the generated files ROOT/STEM.suture.cpp define; OBJECTS define what their
+# Makes the fuzzer of all decoders that the generated files ROOT/STEM.wire.cpp define; OBJECTS define what their
 # headers only declare. TARGET has capnp write the headers of their schemas.
 function(suture_decoders_fuzzer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "ROOT;TARGET" "STEMS;FLAGS;OBJECTS;LIBRARIES")
@@ -69,7 +69,7 @@ function(suture_decoders_fuzzer name)
   set(list ${folder}/${name}_decoders.cpp)
   set(script ${CMAKE_CURRENT_SOURCE_DIR}/write_decoders.py)
   list(TRANSFORM arg_STEMS PREPEND ${arg_ROOT}/ OUTPUT_VARIABLE sources)
-  list(TRANSFORM sources APPEND .suture.cpp)
+  list(TRANSFORM sources APPEND .wire.cpp)
   add_custom_command(OUTPUT ${list} COMMAND ${Python3_EXECUTABLE} ${script} ${list} ${arg_ROOT} ${arg_STEMS}
     DEPENDS ${script} ${sources} VERBATIM)
   suture_fuzz_objects(right SOURCES ${list} FLAGS ${decoder_flags} -I${arg_ROOT} ${arg_FLAGS})

@@ -1,6 +1,6 @@
 """Lists the converters that suturec has written, for a fuzzer.
 
-  write_decoders.py OUT.cpp ROOT STEM...    ROOT/STEM.suture.cpp, without those that convert nothing
+  write_decoders.py OUT.cpp ROOT STEM...    ROOT/STEM.wire.cpp, without those that convert nothing
 
 The list is taken from the generated files, so that a new type is fuzzed from its first day.
 """
@@ -18,7 +18,7 @@ NAMESPACE = re.compile(r"^namespace ([\w:]+) \{$", re.MULTILINE)
 def decoders(source):
     """Returns (namespace, type, slot, message) of each struct of one generated file."""
     text = source.read_text(encoding="utf-8")
-    header = source.with_suffix(".h").read_text(encoding="utf-8")
+    header = source.with_name(source.name.replace(".wire.cpp", ".suture.h")).read_text(encoding="utf-8")
     types = {slot: value for value, slot in STORE.findall(header)}
     spaces = [(found.start(), found[1]) for found in NAMESPACE.finditer(text)]
     for found in DECODER.finditer(text):
@@ -30,9 +30,9 @@ def main():
     out, root, *stems = sys.argv[1:]
     includes, definitions, names = [], [], []
     for stem in stems:
-        found = list(decoders(pathlib.Path(root) / f"{stem}.suture.cpp"))
+        found = list(decoders(pathlib.Path(root) / f"{stem}.wire.cpp"))
         if found:
-            includes.append(f'#include "{stem}.suture.cpp"\n')
+            includes.append(f'#include "{stem}.suture.cpp"\n#include "{stem}.wire.cpp"\n')
         for space, value, slot, message in found:
             name = f"{space}::k{slot}Decoder"
             definitions.append(f"namespace {space} {{\nstatic const auto k{slot}Decoder =\n"

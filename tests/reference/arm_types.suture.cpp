@@ -1,19 +1,16 @@
 // Written by suturec from reference/arm_types.h. Do not edit.
 #include "reference/arm_types.suture.h"
 
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "reference/arm_types.capnp.h"
-
 namespace reference {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -65,16 +62,6 @@ void reserve(const JointStateSlot*, JointState& value) {
   suture::reserveFor<decltype(JointStateSlot::position)>(value.position);
 }
 
-// --- between slots and Cap'n Proto
-
-wire::Mode wireMode(std::uint8_t slot) {
-  switch (static_cast<Mode>(slot)) {
-    case Mode::Disabled: return wire::Mode::DISABLED;
-    case Mode::Enabled: return wire::Mode::ENABLED;
-  }
-  return wire::Mode{};
-}
-
 bool isKnownMode(std::uint8_t slot) {
   switch (static_cast<Mode>(slot)) {
     case Mode::Disabled:
@@ -84,43 +71,8 @@ bool isKnownMode(std::uint8_t slot) {
   return false;
 }
 
-suture::Errc fromWire(wire::Mode in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::Mode::DISABLED: return slot =
-        static_cast<std::uint8_t>(Mode::Disabled), suture::Errc{};
-    case wire::Mode::ENABLED: return slot =
-        static_cast<std::uint8_t>(Mode::Enabled), suture::Errc{};
-  }
-  return suture::Errc::Invalid;
-}
-
-void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
-  toWire(slot.pose, out.initPose());
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return in.hasPose() ? fromWire(in.getPose(), slot.pose)
-      : suture::rpc::fromDefault(PoseStamped().pose, slot.pose);
-}
-
 bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {
   return isValid(slot.pose) || suture::refusedAt(path, "pose");
-}
-
-void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
-  toWire(slot.name, out.initName(sizeOf(slot.name)));
-  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
-}
-
-suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration) {
-  return suture::rpc::firstError({
-      fromWire(in.getName(), slot.name),
-      fromWire(in.getPosition(), slot.position),
-  });
 }
 
 bool isValid(const JointStateSlot& slot, suture::FieldPath* path) {
@@ -128,27 +80,3 @@ bool isValid(const JointStateSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace reference
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const reference::PoseStamped& value) {
-  return rpc::encodeAs<reference::wire::PoseStamped, reference::PoseStampedSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, reference::PoseStamped& value) {
-  return rpc::decodeAs<reference::wire::PoseStamped, reference::PoseStampedSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const reference::JointState& value) {
-  return rpc::encodeAs<reference::wire::JointState, reference::JointStateSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, reference::JointState& value) {
-  return rpc::decodeAs<reference::wire::JointState, reference::JointStateSlot>(bytes, value);
-}
-
-}  // namespace suture

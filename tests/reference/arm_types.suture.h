@@ -28,6 +28,10 @@ bool store(const JointState& value, JointStateSlot& slot);
 void load(const JointStateSlot& slot, JointState& value);
 void reserve(const JointStateSlot*, JointState& value);
 
+bool isKnownMode(std::uint8_t slot);
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path);
+
 }  // namespace reference
 
 namespace suture {

@@ -1,20 +1,17 @@
 // Written by suturec from reference/simulated_arm.h. Do not edit.
 #include "reference/simulated_arm.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "reference/simulated_arm.capnp.h"
-
 namespace reference {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -40,26 +37,8 @@ void load(const SimulatedArmParametersSlot& slot, SimulatedArmParameters& value)
   load(slot.model, value.model);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const SimulatedArmParametersSlot& slot, wire::SimulatedArmParameters::Builder out) {
-  out.setPeriod(slot.period);
-  toWire(slot.home, out.initHome(3));
-  toWire(slot.model, out.initModel(sizeOf(slot.model)));
-}
-
-suture::Errc fromWire(wire::SimulatedArmParameters::Reader in, SimulatedArmParametersSlot& slot,
-                      suture::Duration) {
-  slot.period = in.getPeriod();
-  return suture::rpc::firstError({
-      in.getHome().size() != 0 ? fromWire(in.getHome(), slot.home)
-          : suture::rpc::fromDefault(SimulatedArmParameters().home, slot.home),
-      fromWire(in.getModel(), slot.model),
-  });
-}
-
 bool isValid(const SimulatedArmParametersSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.period, 0.0001, 1)) return suture::refusedAt(path, "period");
+  if (!suture::inRange(slot.period, 0.0001, 1)) return suture::refusedAt(path, "period");
   return isValid(slot.home, path) || suture::refusedAt(path, "home");
 }
 
@@ -78,18 +57,6 @@ void fromJson(const suture::JsonReader& in, SimulatedArmParameters& value) {
 }  // namespace reference
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const reference::SimulatedArmParameters& value) {
-  return rpc::encodeAs<reference::wire::SimulatedArmParameters,
-                       reference::SimulatedArmParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, reference::SimulatedArmParameters& value) {
-  return rpc::decodeAs<reference::wire::SimulatedArmParameters,
-                       reference::SimulatedArmParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<reference::SimulatedArm>() {

@@ -24,6 +24,8 @@ struct SimulatedArmParametersSlot {
 bool store(const SimulatedArmParameters& value, SimulatedArmParametersSlot& slot);
 void load(const SimulatedArmParametersSlot& slot, SimulatedArmParameters& value);
 
+bool isValid(const SimulatedArmParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, SimulatedArmParameters& value);
 

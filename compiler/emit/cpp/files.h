@@ -10,7 +10,7 @@ namespace suture::compiler::emit {
 /// Emits "arm/arm.suture.h": slots, Required and Provided.
 std::string headerFile(const Context& context);
 
-/// Emits "arm/arm.suture.cpp": what the header declares, and the way to Cap'n Proto.
+/// Emits "arm/arm.suture.cpp": slots, checks, tables, and what calls a component.
 std::string sourceFile(const Context& context);
 
 }  // namespace suture::compiler::emit

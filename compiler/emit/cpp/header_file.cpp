@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "compiler/emit/cpp/file_parts.h"
 #include "compiler/emit/cpp/files.h"
 #include "compiler/emit/cpp/readers.h"
+#include "compiler/emit/text/file_parts.h"
 #include "compiler/emit/text/parts.h"
 #include "compiler/emit/wire/encodings.h"
 #include "compiler/model/naming.h"

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "compiler/emit/cpp/stamps.h"
+#include "compiler/emit/cpp/value_checks.h"
 #include "compiler/emit/text/contract.h"
 #include "compiler/emit/text/parts.h"
 #include "compiler/lock/schema/wire_type.h"
@@ -150,6 +151,7 @@ void emitSlots(Code& code, const Context& context) {
     declareShift(code, fieldValues(declaration, context), slot, context);
     code.blank();
   });
+  declareTypeChecks(code, context);
 }
 
 void emitSlotConversions(Code& code, const Context& context) {

@@ -1,5 +1,6 @@
 #include "compiler/emit/cpp/levels.h"
 #include "compiler/emit/cpp/stamps.h"
+#include "compiler/emit/cpp/validity.h"
 #include "compiler/emit/text/contract.h"
 #include "compiler/emit/text/parts.h"
 #include "compiler/emit/wire/codec.h"

@@ -1,11 +1,11 @@
-// These emit which numbers a provider may act on: NaN and what lies outside a range() stop at the
-// border.
+#include "compiler/emit/cpp/validity.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "compiler/emit/text/contract.h"
-#include "compiler/emit/wire/wire_form.h"
 #include "compiler/lock/schema/wire_type.h"
+#include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
 namespace {
@@ -19,7 +19,7 @@ bool isReal(model::Scalar scalar) {
 }
 
 std::string within(const std::string& slot, const Range& range, double scale) {
-  return "suture::rpc::inRange(" + slot + ", " + cxxNumber(range->first * scale) + ", " +
+  return "suture::inRange(" + slot + ", " + cxxNumber(range->first * scale) + ", " +
          cxxNumber(range->second * scale) + ")";
 }
 
@@ -35,7 +35,7 @@ std::string lambda(const std::string& parameter, const std::string& result) {
 /// `path` is null where C++ does not count the elements of such a type by one number in brackets.
 std::string allOf(const std::string& slot, const std::string& path, const std::string& parameter,
                   const std::string& each) {
-  return "suture::rpc::allOf(" + slot + ", " + path + ", " + kBreak + lambda(parameter, each) + ")";
+  return "suture::allOf(" + slot + ", " + path + ", " + kBreak + lambda(parameter, each) + ")";
 }
 
 /// Returns the condition under which the coefficients of an Eigen type are valid.
@@ -96,7 +96,7 @@ std::string mapCondition(const Type& type, const std::string& slot, const Range&
 /// Returns what can be called with a slot of the type and tells if that may be acted on.
 std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   if (type.shape == Shape::Enum) return enumCheck(type.name, context);
-  if (!holdsEnum(type)) return "suture::rpc::Valid{path}";
+  if (!holdsEnum(type)) return "suture::Valid{path}";
   const std::string item = "element" + depthSuffix(depth);
   const std::string itemType = slotType(type, context, context.header.cxxNamespace);
   return lambda("const " + itemType + "& " + item, condition(type, item, {}, context, depth + 1));
@@ -151,8 +151,8 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
     case Shape::Quaternion:
     case Shape::Isometry:
     case Shape::Affine: return coefficientsCondition(type, slot, range, depth);
-    case Shape::Tuple: return eachCondition("suture::rpc::allItems", type, slot, context, depth);
-    case Shape::Variant: return eachCondition("suture::rpc::theOneOf", type, slot, context, depth);
+    case Shape::Tuple: return eachCondition("suture::allItems", type, slot, context, depth);
+    case Shape::Variant: return eachCondition("suture::theOneOf", type, slot, context, depth);
     case Shape::Map: return mapCondition(type, slot, range, context, depth);
     case Shape::Optional:
       if (!range && !holdsEnum(type)) return wholeCondition(type, slot);
@@ -182,7 +182,42 @@ void emitRefusal(Code& code, const std::string& unless, const std::string& refus
   }
 }
 
+constexpr std::string_view kStructCheck = "isValid";
+
+std::string structCheck(const Type& type, const Context& context) {
+  return qualifier(type.name, context).append(kStructCheck);
+}
+
 }  // namespace
+
+std::string enumCheck(const std::string& enumName, const Context& context) {
+  return qualifier(enumName, context) + "isKnown" +
+         model::unqualified(generatedName(enumName, context.lookup));
+}
+
+bool isStructCheck(const std::string& check) { return check.ends_with(kStructCheck); }
+
+std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
+                           const Context& context) {
+  if (!hasConditions(argumentValues(command), context)) return "";
+  return "accepts" + prefixOf(interface, context) + model::titleCase(command.wireName);
+}
+
+std::string resultCheck(const model::Interface& interface, const model::Command& command,
+                        const Context& context) {
+  if (!command.result || !hasConditions(resultValues(command), context)) return "";
+  if (command.result->shape == Shape::Struct) return structCheck(*command.result, context);
+  return "accepts" + prefixOf(interface, context) + model::titleCase(command.wireName) + "Result";
+}
+
+std::string payloadCheck(const model::Interface& interface, const model::Event& event,
+                         const Context& context) {
+  if (!hasConditions(payloadValues(event), context)) return "";
+  if (event.payload.size() == 1 && event.payload.front().shape == Shape::Struct) {
+    return structCheck(event.payload.front(), context);
+  }
+  return "accepts" + prefixOf(interface, context) + model::titleCase(event.wireName) + "Event";
+}
 
 bool hasConditions(const std::vector<WireValue>& values, const Context& context) {
   return std::any_of(values.begin(), values.end(),

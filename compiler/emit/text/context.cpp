@@ -214,6 +214,12 @@ std::string pascalCase(const std::string& cxxName) {
   return model::titleCase(model::camelCase(cxxName));
 }
 
+std::string qualifier(const std::string& declared, const Context& context) {
+  const model::Header* const header = context.lookup.headerOf(declared);
+  const bool here = header == nullptr || header->cxxNamespace == context.header.cxxNamespace;
+  return here ? "" : header->cxxNamespace + "::";
+}
+
 std::string prefixOf(const model::Interface& interface, const Context& context) {
   return model::unqualified(generatedName(interface.name, context.lookup));
 }

@@ -19,7 +19,8 @@ struct Context {
   const std::map<std::string, lock::Lock>& schemas;  ///< `locks` as an update would leave them
   const std::map<std::string, std::string>& hashes;  ///< by contract, see lock/contract_hash.h
   const std::map<std::string, std::string>& cores;   ///< the same without optional commands
-  const model::Header& header;                       ///< the one being written
+  const model::Header& header;                       ///< the one being written, or a share of it
+  unsigned share = 0;                                ///< the first has components and readers too
 };
 
 /// Turns "robots::arm::Pose" into "Pose" within namespace "robots::arm"; elsewhere it is unchanged.
@@ -68,6 +69,10 @@ bool holdsRecursive(const model::Type& type, const model::Lookup& lookup);
 
 /// Turns "servo_cp" into "ServoCp": a part of the name of something generated.
 std::string pascalCase(const std::string& cxxName);
+
+/// Returns "robots::types::", which stands in front of a function for a type of another namespace
+/// than the header's.
+std::string qualifier(const std::string& declared, const Context& context);
 
 /// Returns the unqualified name that begins the names of what is generated for a contract.
 std::string prefixOf(const model::Interface& interface, const Context& context);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/emit/text/contract.h"
+#include "compiler/emit/text/file_parts.h"
 #include "compiler/emit/wire/later_parameters.h"
 #include "compiler/emit/wire/wire_form.h"
 #include "compiler/emit/wire/wire_places.h"
@@ -208,14 +209,8 @@ std::string allCommands(Code& code, const Context& context, const model::Interfa
   return "kCommands";
 }
 
-}  // namespace
-
-std::string codecFunction(const Context& context, const model::Interface& interface) {
-  return model::camelCase(prefixOf(interface, context)) + "Codec";
-}
-
-void emitCodec(Code& code, const Context& context, const model::Interface& interface) {
-  code.line("// --- ", prefixOf(interface, context), " as Cap'n Proto").blank();
+/// Emits the functions between slots and messages, and the tables that lead to them.
+void emitMessages(Code& code, const Context& context, const model::Interface& interface) {
   for (const model::Command* const command : ownCommands(interface)) {
     if (!command->parameters.empty()) {
       emitMessage(code, context, argumentsOf(context, interface, *command));
@@ -228,6 +223,17 @@ void emitCodec(Code& code, const Context& context, const model::Interface& inter
   emitRow(code, context, interface);
   emitCommandCodecs(code, context, interface);
   emitEventCodecs(code, context, interface);
+}
+
+}  // namespace
+
+std::string codecFunction(const Context& context, const model::Interface& interface) {
+  return model::camelCase(prefixOf(interface, context)) + "Codec";
+}
+
+void emitCodec(Code& code, const Context& context, const model::Interface& interface) {
+  code.line("// --- ", prefixOf(interface, context), " as Cap'n Proto").blank();
+  hidden(code, [&](Code& inner) { emitMessages(inner, context, interface); });
   code.open("const suture::rpc::Codec& ", codecFunction(context, interface), "() {");
   const std::string commands = allCommands(code, context, interface);
   const bool derives = !interface.base.empty();

@@ -85,13 +85,13 @@ void CompositeConverters::emitOne(Code& code, const Type& type) {
   const std::string wire = "wire::" + lock::compositeName(type, context_.lookup, context_.header);
   if (!done_.insert(slot + " as " + wire).second) return;
   const std::vector<WireValue> values = valuesOf(type, context_);
-  code.open("void toWire(const ", slot, "& slot, ", std::string(1, kBreak), wire,
+  code.open("static void toWire(const ", slot, "& slot, ", std::string(1, kBreak), wire,
             "::Builder out) {");
   emitEncoder(code, type, values, context_);
   code.close("}").blank();
   const bool shift = std::any_of(values.begin(), values.end(),
                                  [](const WireValue& value) { return usesShift(value.type); });
-  code.open("suture::Errc fromWire(", wire, "::Reader in, ", std::string(1, kBreak), slot,
+  code.open("static suture::Errc fromWire(", wire, "::Reader in, ", std::string(1, kBreak), slot,
             "& slot, ", std::string(1, kBreak), "suture::Duration", shift ? " shift" : "", ") {");
   emitDecoder(code, type, values, context_);
   code.close("}").blank();

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "compiler/emit/text/contract.h"
+#include "compiler/emit/text/enum_names.h"
+#include "compiler/emit/text/share.h"
 #include "compiler/emit/wire/composite_converters.h"
 #include "compiler/emit/wire/wire_form.h"
 #include "compiler/lock/schema/composites.h"
@@ -28,25 +30,6 @@ std::vector<std::string> removedEnumerators(const Context& context, const model:
   return names;
 }
 
-struct EnumNames {
-  EnumNames(const model::Enum& type, const std::string& home)
-      : cxx(relative(type.name, home)),
-        wire("wire::" + type.wireName),
-        slot(cxxScalar(type.underlying)),
-        isOpen(type.isOpen) {}
-
-  /// Spells what a switch over a slot compares. Few integers are values of an enum without a
-  /// declared type, and whatever has come must not become another.
-  std::string subject() const { return isOpen ? "slot" : "static_cast<" + cxx + ">(slot)"; }
-  std::string label(const model::Enumerator& one) const {
-    const std::string name = cxx + "::" + one.name;
-    return isOpen ? "static_cast<" + slot + ">(" + name + ")" : name;
-  }
-
-  std::string cxx, wire, slot;
-  bool isOpen;
-};
-
 void emitEnumEncoder(Code& code, const Context& context, const model::Enum& type) {
   const EnumNames names(type, context.header.cxxNamespace);
   code.open(names.wire, " ", enumEncoder(type.name, context), "(", names.slot, " slot) {");
@@ -58,19 +41,6 @@ void emitEnumEncoder(Code& code, const Context& context, const model::Enum& type
               "::", model::upperSnakeCase(one.wireName), ";");
   }
   code.close("}").line("return ", names.wire, "{};").close("}").blank();
-}
-
-void emitEnumCheck(Code& code, const Context& context, const model::Enum& type) {
-  const EnumNames names(type, context.header.cxxNamespace);
-  code.open("bool ", enumCheck(type.name, context), "(", names.slot, " slot) {");
-  code.open("switch (", names.subject(), ") {");
-  std::set<std::int64_t> values;
-  for (const model::Enumerator& one : type.enumerators) {
-    if (!values.insert(one.value).second) continue;
-    code.line("case ", names.label(one), ":");
-  }
-  if (!values.empty()) code.line("  return true;");
-  code.close("}").line("return false;").close("}").blank();
 }
 
 void emitEnumDecoder(Code& code, const Context& context, const model::Enum& type) {
@@ -119,10 +89,6 @@ void emitStruct(Code& code, const Context& context, const model::Struct& type) {
             ") {");
   emitDecodeAndReturn(code, values, "in", "shift", context);
   code.close("}").blank();
-
-  code.open("bool isValid(", validityParameters(slot, values, context), ") {");
-  emitValidity(code, values, context);
-  code.close("}").blank();
 }
 
 /// Finds the declared types that the header's own slots and contracts are made of, in a stable
@@ -166,13 +132,11 @@ void declare(Code& code, const Context& context, const std::string& name) {
     code.line("void toWire(const ", slot, "& slot, ", wire, "::Builder out);");
     code.line("suture::Errc fromWire(", wire, "::Reader in, ", kBreakText, slot, "& slot, ",
               kBreakText, "suture::Duration shift);");
-    code.line("bool isValid(const ", slot, "& slot, ", kBreakText, "suture::FieldPath* path);");
   } else {
     const model::Enum& one = *context.lookup.findEnum(name);
     const EnumNames names(one, home.cxxNamespace);
     const std::string known = model::unqualified(generatedName(name, context.lookup));
     code.line(names.wire, " wire", known, "(", names.slot, " slot);");
-    code.line("bool isKnown", known, "(", names.slot, " slot);");
     code.line("suture::Errc fromWire(", names.wire, " in, ", names.slot, "& slot);");
   }
 }
@@ -184,11 +148,13 @@ void emitForeignConverters(Code& code, const Context& context) {
   std::map<std::string, std::vector<std::string>> byHeader;
   for (const std::string& name : used.names()) {
     const model::Header& home = *context.lookup.headerOf(name);
-    if (home.path != context.header.path) byHeader[home.path].push_back(name);
+    if (!declares(context.header, name)) byHeader[home.path].push_back(name);
   }
   for (const auto& [path, names] : byHeader) {
     const std::string& home = context.lookup.headerOf(names.front())->cxxNamespace;
-    code.line("// Defined in ", model::stemOf(path), ".suture.cpp.");
+    const bool isElsewhere = path != context.header.path;
+    code.line("// Defined in ", isElsewhere ? "" : "another share of ", model::stemOf(path),
+              ".wire.cpp.");
     code.verbatim(openNamespace(home));
     for (const std::string& name : names) declare(code, context, name);
     code.verbatim(closeNamespace(home)).blank();
@@ -200,7 +166,6 @@ void emitConverters(Code& code, const Context& context) {
   Code converters;
   for (const model::Enum& type : header.enums) {
     emitEnumEncoder(converters, context, type);
-    emitEnumCheck(converters, context, type);
     emitEnumDecoder(converters, context, type);
   }
   bool any = false;

@@ -6,10 +6,10 @@
 
 namespace suture::compiler::emit {
 
-/// Declares the converters of other headers that this header's generated source calls.
+/// Declares the converters of other headers that this header's converters call.
 void emitForeignConverters(Code& code, const Context& context);
 
-/// Defines toWire(), fromWire() and isValid() of the header's own types.
+/// Defines toWire() and fromWire() of the header's own types.
 void emitConverters(Code& code, const Context& context);
 
 }  // namespace suture::compiler::emit

@@ -57,14 +57,6 @@ std::string elementSlot(const Type& type, const Context& context) {
   return composite ? "auto" : elementSlot(type, context, context.header.cxxNamespace);
 }
 
-/// Returns "robots::types::", which stands in front of a function for a type of another namespace
-/// than the header's.
-std::string qualifier(const std::string& declared, const Context& context) {
-  const model::Header* const header = context.lookup.headerOf(declared);
-  const bool here = header == nullptr || header->cxxNamespace == context.header.cxxNamespace;
-  return here ? "" : header->cxxNamespace + "::";
-}
-
 /// Returns the number of elements of its wire list or text.
 std::string lengthOf(const Type& type, const std::string& slot) {
   switch (type.shape) {
@@ -235,18 +227,7 @@ std::string enumEncoder(const std::string& enumName, const Context& context) {
          model::unqualified(generatedName(enumName, context.lookup));
 }
 
-std::string enumCheck(const std::string& enumName, const Context& context) {
-  return qualifier(enumName, context) + "isKnown" +
-         model::unqualified(generatedName(enumName, context.lookup));
-}
-
 namespace {
-
-constexpr std::string_view kStructCheck = "isValid";
-
-std::string structCheck(const Type& type, const Context& context) {
-  return qualifier(type.name, context).append(kStructCheck);
-}
 
 /// Admits infinity where that is the default, since it then says something.
 std::optional<std::pair<double, double>> admitted(const model::Field& field) {
@@ -257,8 +238,6 @@ std::optional<std::pair<double, double>> admitted(const model::Field& field) {
 }
 
 }  // namespace
-
-bool isStructCheck(const std::string& check) { return check.ends_with(kStructCheck); }
 
 std::vector<WireValue> fieldValues(const model::Struct& type, const Context& context) {
   const std::string& home = context.header.cxxNamespace;
@@ -288,21 +267,8 @@ std::vector<WireValue> argumentValues(const model::Command& command) {
   return values;
 }
 
-std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
-                           const Context& context) {
-  if (!hasConditions(argumentValues(command), context)) return "";
-  return "accepts" + prefixOf(interface, context) + model::titleCase(command.wireName);
-}
-
 std::vector<WireValue> resultValues(const model::Command& command) {
   return {{.type = *command.result, .wireName = "value", .slot = "slot", .isNeeded = true}};
-}
-
-std::string resultCheck(const model::Interface& interface, const model::Command& command,
-                        const Context& context) {
-  if (!command.result || !hasConditions(resultValues(command), context)) return "";
-  if (command.result->shape == Shape::Struct) return structCheck(*command.result, context);
-  return "accepts" + prefixOf(interface, context) + model::titleCase(command.wireName) + "Result";
 }
 
 std::vector<WireValue> payloadValues(const model::Event& event) {
@@ -318,15 +284,6 @@ std::vector<WireValue> payloadValues(const model::Event& event) {
                       .member = several ? lock::payloadName(i) : ""});
   }
   return values;
-}
-
-std::string payloadCheck(const model::Interface& interface, const model::Event& event,
-                         const Context& context) {
-  if (!hasConditions(payloadValues(event), context)) return "";
-  if (event.payload.size() == 1 && event.payload.front().shape == Shape::Struct) {
-    return structCheck(event.payload.front(), context);
-  }
-  return "accepts" + prefixOf(interface, context) + model::titleCase(event.wireName) + "Event";
 }
 
 std::string encode(const WireValue& value, const std::string& out, const Context& context) {

@@ -32,28 +32,11 @@ std::vector<WireValue> fieldValues(const model::Struct& type, const Context& con
 /// Returns what a command carries, as the members of `slot`.
 std::vector<WireValue> argumentValues(const model::Command& command);
 
-/// Names the check of a command's arguments: "acceptsArmMove"; empty if any will do.
-std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
-                           const Context& context);
-
-/// Returns true for the check of a struct, which is there for whatever has one in it.
-bool isStructCheck(const std::string& check);
-
 /// Returns what a command that has a result answers: it lies in the slot "slot".
 std::vector<WireValue> resultValues(const model::Command& command);
 
-/// Names the check of a command's result: "acceptsArmDistanceResult", for a struct "isValid"; empty
-/// if any will do.
-std::string resultCheck(const model::Interface& interface, const model::Command& command,
-                        const Context& context);
-
 /// Returns what an event carries, in the slot "slot".
 std::vector<WireValue> payloadValues(const model::Event& event);
-
-/// Names the check of an event's payload: "acceptsArmMovedEvent", for one struct "isValid"; empty
-/// if any will do.
-std::string payloadCheck(const model::Interface& interface, const model::Event& event,
-                         const Context& context);
 
 /// Returns a statement without its end: "toWire(slot.pose, out.initPose())". `out` is a struct
 /// builder.
@@ -75,25 +58,9 @@ void emitError(Code& code, const std::string& outcome);
 /// Tells if decoding the type needs the shift of steady stamps.
 bool usesShift(const model::Type& type);
 
-/// Tells if there is anything that emitValidity() would check.
-bool hasConditions(const std::vector<WireValue>& values, const Context& context);
-
-/// Returns the parameters of such a function for `slot`, a type; they are named as far as it uses
-/// them.
-std::string validityParameters(const std::string& slot, const std::vector<WireValue>& values,
-                               const Context& context);
-
-/// Emits the return of a check: true if every number is finite and within its range, and every enum
-/// known; `path` is told which is the first that is not.
-void emitValidity(Code& code, const std::vector<WireValue>& values, const Context& context);
-
 /// Names the function from an enum's slot to capnp's enum: "wireMode", qualified where it is
 /// another namespace's than the header's.
 std::string enumEncoder(const std::string& enumName, const Context& context);
-/// Names the function that tells if an enum's slot holds one of its values, likewise:
-/// "isKnownMode".
-std::string enumCheck(const std::string& enumName, const Context& context);
-
 /// Returns "2" for the second level of nested lambdas, whose parameters must not hide the first's.
 std::string depthSuffix(unsigned depth);
 

@@ -32,6 +32,9 @@ struct CollectingIntervalSlot {
 bool store(const CollectingInterval& value, CollectingIntervalSlot& slot);
 void load(const CollectingIntervalSlot& slot, CollectingInterval& value);
 
+bool isValid(const CollectedCountsSlot& slot, suture::FieldPath* path);
+bool isValid(const CollectingIntervalSlot& slot, suture::FieldPath* path);
+
 // --- Collecting: the arguments of its commands ---
 
 struct CollectingSetIntervalArguments {

@@ -24,6 +24,10 @@ void load(const StateChangeSlot& slot, StateChange& value);
 void reserve(const StateChangeSlot*, StateChange& value);
 void shiftStamps(StateChangeSlot& slot, suture::Duration shift);
 
+bool isKnownComponentState(std::uint8_t slot);
+bool isKnownResumeOutcome(std::uint8_t slot);
+bool isValid(const StateChangeSlot& slot, suture::FieldPath* path);
+
 // --- Lifecycle: the arguments of its commands ---
 
 struct LifecycleResumeConnectionArguments {

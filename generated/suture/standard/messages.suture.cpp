@@ -1,20 +1,16 @@
 // Written by suturec from suture/standard/messages.h. Do not edit.
 #include "suture/standard/messages.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "suture/standard/messages.capnp.h"
-
 namespace suture {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -51,83 +47,14 @@ void shiftStamps(MessageSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const MessageSlot& slot, wire::Message::Builder out) {
-  toWire(slot.text, out.initText(sizeOf(slot.text)));
-  out.setCode(slot.code);
-  out.setCounter(slot.counter);
-  out.setStamp(slot.stamp);
-}
-
-suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift) {
-  slot.code = in.getCode();
-  slot.counter = in.getCounter();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return fromWire(in.getText(), slot.text);
-}
-
 bool isValid(const MessageSlot&, suture::FieldPath*) {
   return true;
 }
 
+// Defined in suture/standard/messages.wire.cpp.
+const suture::rpc::Codec& messagesCodec();
+
 namespace {
-
-// --- Messages as Cap'n Proto
-
-void encodeMessagesStatusEvent(const MessageSlot& slot,
-                               wire::MessagesEvents::StatusParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeMessagesStatusEvent(wire::MessagesEvents::StatusParams::Reader in,
-                                       MessageSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeMessagesWarningEvent(const MessageSlot& slot,
-                                wire::MessagesEvents::WarningParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeMessagesWarningEvent(wire::MessagesEvents::WarningParams::Reader in,
-                                        MessageSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeMessagesErrorEvent(const MessageSlot& slot,
-                              wire::MessagesEvents::ErrorParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeMessagesErrorEvent(wire::MessagesEvents::ErrorParams::Reader in,
-                                      MessageSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::EventCodec kMessagesEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::MessagesEvents::StatusParams>,
-     .payload = suture::rpc::messageOf<wire::MessagesEvents::StatusParams, MessageSlot,
-                                       encodeMessagesStatusEvent, decodeMessagesStatusEvent>},
-    {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::MessagesEvents::WarningParams>,
-     .payload = suture::rpc::messageOf<wire::MessagesEvents::WarningParams, MessageSlot,
-                                       encodeMessagesWarningEvent, decodeMessagesWarningEvent>},
-    {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::MessagesEvents::ErrorParams>,
-     .payload = suture::rpc::messageOf<wire::MessagesEvents::ErrorParams, MessageSlot,
-                                       encodeMessagesErrorEvent, decodeMessagesErrorEvent>},
-};
-
-const suture::rpc::Codec& messagesCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Messages>,
-      .contract = capnp::typeId<wire::Messages>(),
-      .subscriber = capnp::typeId<wire::MessagesEvents>(),
-      .commands = {},
-      .events = kMessagesEventCodecs,
-      .row = suture::rpc::rowOf<wire::MessagesEvents::StateParams, wire::MessagesStateRow>,
-  };
-  return kCodec;
-}
 
 constexpr suture::BoundedLevel kMessagesStatusPayloadLevels[] = {
     suture::levelAt<suture::BoundedText<255>>(offsetof(MessageSlot, text)),
@@ -206,16 +133,6 @@ constexpr char kMessagesDescription[] = R"json(
 }  // namespace suture
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const suture::Message& value) {
-  return rpc::encodeAs<suture::wire::Message, suture::MessageSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, suture::Message& value) {
-  return rpc::decodeAs<suture::wire::Message, suture::MessageSlot>(bytes, value);
-}
 
 template <>
 const InterfaceInfo& interfaceInfo<suture::Messages>() {

@@ -24,6 +24,8 @@ void load(const MessageSlot& slot, Message& value);
 void reserve(const MessageSlot*, Message& value);
 void shiftStamps(MessageSlot& slot, suture::Duration shift);
 
+bool isValid(const MessageSlot& slot, suture::FieldPath* path);
+
 /// Names the numbers of Messages's events.
 enum class MessagesEvent : std::uint16_t {
   status,

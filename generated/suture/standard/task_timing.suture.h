@@ -36,6 +36,9 @@ bool store(const TaskWindow& value, TaskWindowSlot& slot);
 void load(const TaskWindowSlot& slot, TaskWindow& value);
 void shiftStamps(TaskWindowSlot& slot, suture::Duration shift);
 
+bool isValid(const DurationSummarySlot& slot, suture::FieldPath* path);
+bool isValid(const TaskWindowSlot& slot, suture::FieldPath* path);
+
 /// Names the numbers of TaskTiming's commands in every table and record.
 enum class TaskTimingCommand : std::uint16_t {
   window,

@@ -1,144 +1,24 @@
 // Written by suturec from unit/contracts/lamp.h. Do not edit.
 #include "unit/contracts/lamp.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "unit/contracts/lamp.capnp.h"
-
-// Defined in suture/standard/messages.suture.cpp.
-namespace suture {
-void toWire(const MessageSlot& slot, wire::Message::Builder out);
-suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift);
-bool isValid(const MessageSlot& slot, suture::FieldPath* path);
-}  // namespace suture
-
 namespace contracts {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 bool store(const bool& on, LampLightArguments& slot) { return store(on, slot.on); }
 
+// Defined in unit/contracts/lamp.wire.cpp.
+const suture::rpc::Codec& lampCodec();
+
 namespace {
-
-// --- Lamp as Cap'n Proto
-
-void encodeLampLight(const LampLightArguments& slot, wire::Lamp::LightParams::Builder out) {
-  out.setOn(slot.on != 0);
-}
-suture::Errc decodeLampLight(wire::Lamp::LightParams::Reader in, LampLightArguments& slot,
-                             suture::Duration) {
-  slot.on = in.getOn();
-  return suture::Errc{};
-}
-
-void encodeLampLitResult(const std::uint8_t& slot, wire::Lamp::LitResults::Builder out) {
-  out.setValue(slot != 0);
-}
-suture::Errc decodeLampLitResult(wire::Lamp::LitResults::Reader in, std::uint8_t& slot,
-                                 suture::Duration) {
-  slot = in.getValue();
-  return suture::Errc{};
-}
-
-void encodeLampStatusEvent(const suture::MessageSlot& slot,
-                           wire::LampEvents::StatusParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeLampStatusEvent(wire::LampEvents::StatusParams::Reader in,
-                                   suture::MessageSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeLampWarningEvent(const suture::MessageSlot& slot,
-                            wire::LampEvents::WarningParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeLampWarningEvent(wire::LampEvents::WarningParams::Reader in,
-                                    suture::MessageSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeLampErrorEvent(const suture::MessageSlot& slot,
-                          wire::LampEvents::ErrorParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeLampErrorEvent(wire::LampEvents::ErrorParams::Reader in,
-                                  suture::MessageSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeLampLitColumn(const std::uint8_t& slot, wire::LampStateRow::Builder out) {
-  out.setLit(slot != 0);
-}
-suture::Errc decodeLampLitColumn(wire::LampStateRow::Reader in, std::uint8_t& slot,
-                                 suture::Duration) {
-  slot = in.getLit();
-  return suture::Errc{};
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeLampColumn(unsigned column, const std::byte* memory, wire::LampStateRow::Builder out) {
-  switch (static_cast<LampColumn>(column)) {
-    case LampColumn::lit: return encodeLampLitColumn(suture::slotIn<std::uint8_t>(memory), out);
-  }
-}
-suture::Errc decodeLampColumn(wire::LampStateRow::Reader in, unsigned column, std::byte* memory,
-                              suture::Duration shift) {
-  switch (static_cast<LampColumn>(column)) {
-    case LampColumn::lit:
-      return decodeLampLitColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kLampCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Lamp>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::Lamp::LightParams>,
-     .arguments = suture::rpc::messageOf<wire::Lamp::LightParams, LampLightArguments,
-                                         encodeLampLight, decodeLampLight>},
-    {.interface = capnp::typeId<wire::Lamp>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::Lamp::LitParams>,
-     .result = suture::rpc::messageOf<wire::Lamp::LitResults, std::uint8_t, encodeLampLitResult,
-                                      decodeLampLitResult>,
-     .stamp = suture::rpc::stampIn<wire::Lamp::LitResults>},
-};
-
-constexpr suture::rpc::EventCodec kLampEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::LampEvents::StatusParams>,
-     .payload = suture::rpc::messageOf<wire::LampEvents::StatusParams, suture::MessageSlot,
-                                       encodeLampStatusEvent, decodeLampStatusEvent>},
-    {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::LampEvents::WarningParams>,
-     .payload = suture::rpc::messageOf<wire::LampEvents::WarningParams, suture::MessageSlot,
-                                       encodeLampWarningEvent, decodeLampWarningEvent>},
-    {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::LampEvents::ErrorParams>,
-     .payload = suture::rpc::messageOf<wire::LampEvents::ErrorParams, suture::MessageSlot,
-                                       encodeLampErrorEvent, decodeLampErrorEvent>},
-};
-
-const suture::rpc::Codec& lampCodec() {
-  static const suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Lamp>,
-      .contract = capnp::typeId<wire::Lamp>(),
-      .subscriber = capnp::typeId<wire::LampEvents>(),
-      .commands = kLampCommandCodecs,
-      .events = kLampEventCodecs,
-      .row = suture::rpc::rowOf<wire::LampEvents::StateParams, wire::LampStateRow, encodeLampColumn,
-                                decodeLampColumn>,
-  };
-  return kCodec;
-}
 
 constexpr suture::CommandInfo kLampCommands[] = {
     {.name = "light",

@@ -20,6 +20,8 @@ bool store(const Picture& value, PictureSlot& slot);
 void load(const PictureSlot& slot, Picture& value);
 void reserve(const PictureSlot*, Picture& value);
 
+bool isValid(const PictureSlot& slot, suture::FieldPath* path);
+
 // --- Gallery: the arguments of its commands ---
 
 struct GalleryDimmedArguments {

@@ -5,8 +5,6 @@
 //   toWire(slot, builder)     slot -> message; the builder has the slot's size already
 //   fromWire(reader, slot)    message -> slot; Errc::TooLarge or Errc::Invalid if it is not what
 //                             the header says
-//   isValid(slot, path)       may the provider act on it: every number is finite. `path`, unless it
-//                             is null, is told where the first is that is not
 //
 // What an older sender does not know reads as nothing: as zero, as empty, as the identity of a
 // rotation, as a struct of which no member was sent. Where the header says otherwise, generated
@@ -16,8 +14,8 @@
 
 #include <capnp/blob.h>
 #include <suture/base/errors.h>
-#include <suture/base/field_path.h>
 #include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/base/time.h>
 #include <suture/rpc.capnp.h>
 #include <suture/rt/queue/mailbox.h>
@@ -27,9 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <initializer_list>
-#include <string_view>
 
 namespace suture::rpc {
 
@@ -159,61 +155,6 @@ Errc fromWireList(const List& in, std::array<Element, N>& slot, const Convert& c
     if (const Errc error = convert(item, slot[i]); error != Errc{}) return error;
   }
   return Errc{};
-}
-
-// --- validity
-
-template <Number T>
-bool isValid(T value, FieldPath* = nullptr) {
-  if constexpr (std::is_floating_point_v<T>) {
-    return std::isfinite(value);
-  } else {
-    return true;
-  }
-}
-template <Number T>
-bool inRange(T value, double lowest, double highest) {
-  return static_cast<double>(value) >= lowest && static_cast<double>(value) <= highest;
-}
-
-/// Adds to a path what tells an element of a sequence from the others: its place, or its key.
-template <class T>
-void enterElement(FieldPath& path, const T&, std::size_t index) {
-  path.enterElement(index);
-}
-template <Number Key, class Value>
-void enterElement(FieldPath& path, const SlotEntry<Key, Value>& entry, std::size_t) {
-  path.enterKey(static_cast<std::int64_t>(entry.key));
-}
-template <std::uint32_t N, class Value>
-void enterElement(FieldPath& path, const SlotEntry<BoundedText<N>, Value>& entry, std::size_t) {
-  path.enterKey(std::string_view(elements(entry.key), sizeOf(entry.key)));
-}
-
-template <class T, class Check>
-bool allOf(const T* begin, std::size_t count, FieldPath* path, const Check& check) {
-  const T* const refused = std::find_if_not(begin, begin + count, check);
-  if (refused == begin + count) return true;
-  if (path != nullptr) enterElement(*path, *refused, static_cast<std::size_t>(refused - begin));
-  return false;
-}
-/// Checks each element by `check(element)`; returns false for a list of more than it has room for.
-/// `path` gets the element that is refused; it is null for a type in which C++ does not count so.
-template <class T, std::size_t N, class Check>
-bool allOf(const std::array<T, N>& slot, FieldPath* path, const Check& check) {
-  return allOf(slot.data(), N, path, check);
-}
-template <class T, std::uint32_t N, class Check>
-bool allOf(const BoundedList<T, N>& slot, FieldPath* path, const Check& check) {
-  return sizeOf(slot) == slot.size && allOf(elements(slot), slot.size, path, check);
-}
-template <Number T, std::size_t N>
-bool isValid(const std::array<T, N>& slot, FieldPath* path = nullptr) {
-  return allOf(slot, path, [](T value) { return isValid(value); });
-}
-template <Number T, std::uint32_t N>
-bool isValid(const BoundedList<T, N>& slot, FieldPath* path = nullptr) {
-  return allOf(slot, path, [](T value) { return isValid(value); });
 }
 
 }  // namespace suture::rpc

@@ -14,11 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kContract[] = "arm/arm.suture.cpp";
-constexpr const char* kTypes[] = {
-    "robot_types/cartesian.suture.cpp",       "robot_types/joint_commands.suture.cpp",
-    "robot_types/joints.suture.cpp",          "robot_types/messages.suture.cpp",
-    "robot_types/operating_state.suture.cpp", "robot_types/pose.suture.cpp"};
+constexpr char kContract[] = "arm/arm";
+constexpr const char* kTypes[] = {"robot_types/cartesian",       "robot_types/joint_commands",
+                                  "robot_types/joints",          "robot_types/messages",
+                                  "robot_types/operating_state", "robot_types/pose"};
 constexpr const char* kHandwritten[] = {"arm_client.cpp", "arm_server.cpp"};
 constexpr const char* kHandwrittenTypes[] = {"cartesian_conversions.cpp", "joint_conversions.cpp",
                                              "pose_conversions.cpp"};
@@ -36,7 +35,7 @@ class CompileCall {
     }
     for (const auto& one : commands) {
       const std::string source = one.at("file");
-      if (!source.ends_with(kContract)) continue;
+      if (!source.ends_with(std::string(kContract) + ".suture.cpp")) continue;
       words_ = wordsOf(one.at("command"));
       generated_ = fs::path(source).parent_path().parent_path();
       return;
@@ -60,7 +59,11 @@ class CompileCall {
     command.push_back(source.string());
     return command;
   }
-  Command generated(const char* source) const { return (*this)(generated_ / source); }
+  void addGenerated(std::vector<Command>& calls, const char* stem) const {
+    for (const char* const suffix : {".suture.cpp", ".wire.cpp"}) {
+      calls.push_back((*this)(generated_ / (std::string(stem) + suffix)));
+    }
+  }
   Command handwritten(const char* source) const {
     return (*this)(fs::path(paths::kSource) / "tests/bench/compiler/handwritten" / source);
   }
@@ -80,14 +83,15 @@ fs::path userFile(const fs::path& scratch, const char* name, const char* header)
 void measureCompiling(const CompilerOptions& options, Report& report, Table& table) {
   const CompileCall call;
   const fs::path& scratch = options.scratch;
-  std::vector<Command> types, handwritten, handwrittenTypes;
-  for (const char* const source : kTypes) types.push_back(call.generated(source));
+  std::vector<Command> generated, types, handwritten, handwrittenTypes;
+  call.addGenerated(generated, kContract);
+  for (const char* const stem : kTypes) call.addGenerated(types, stem);
   for (const char* const source : kHandwritten) handwritten.push_back(call.handwritten(source));
   for (const char* const source : kHandwrittenTypes)
     handwrittenTypes.push_back(call.handwritten(source));
 
   Comparison sources, users;
-  const std::size_t contract = sources.add({call.generated(kContract)}, scratch / "contract");
+  const std::size_t contract = sources.add(generated, scratch / "contract");
   const std::size_t hand = sources.add(handwritten, scratch / "hand");
   const std::size_t contractTypes = sources.add(types, scratch / "types");
   const std::size_t handTypes = sources.add(handwrittenTypes, scratch / "hand_types");

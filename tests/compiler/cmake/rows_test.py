@@ -91,6 +91,31 @@ def added_header(project):
     no_change(project)
 
 
+def many_sources(project):
+    """A big header gives several sources of each kind, which together define what one would."""
+    project.edit("count/counter.h", "}  // namespace scratch",
+                 "struct SUTURE_TYPE() Pair {\n  Sample first;\n  std::optional<double> second;\n};\n\n"
+                 "class SUTURE_INTERFACE() Pairs {\n public:\n  virtual ~Pairs() = default;\n"
+                 "  SUTURE_COMMAND() virtual void add(const Pair& pair) = 0;\n};\n\n}  // namespace scratch")
+    project.edit("count/counter.h", "#include \"count/sample.h\"", "#include <optional>\n\n#include \"count/sample.h\"")
+    (project.root / "watch/main.cpp").write_text(
+        "#include \"count/counter.suture.h\"\n\nint main() {\n  const auto bytes = suture::encode(scratch::Pair{{2}, 3});\n"
+        "  scratch::Pair pair;\n  if (!bytes || !suture::decode(*bytes, pair) || pair.second != 3) return 1;\n"
+        "  return suture::interfaceInfo<scratch::Counter>().codec == suture::interfaceInfo<scratch::Pairs>().codec ? 1 : 0;\n}\n",
+        encoding="utf-8")
+    project.edit("CMakeLists.txt", "target_link_libraries(watch",
+                 "add_executable(main watch/main.cpp)\ntarget_link_libraries(main PRIVATE count)\ntarget_link_libraries(watch")
+    project.configure("-DSUTURE_DECLARATIONS_PER_SOURCE=1")
+    project.must_build("update-lock takes a type and a contract more", "update-lock")
+    text = project.must_build("builds")
+    names = {p.name for p in project.times()}
+    expect({"counter.suture.3.cpp", "counter.wire.3.cpp"} <= names and "sample.suture.3.cpp" not in names,
+           "a header with more to it gives more sources", str(sorted(names)))
+    status, text = run([project.build_folder / "main"])
+    expect(status == 0, "and a program has all that they define", text)
+    no_change(project)
+
+
 def removed_output(project):
     before = set(project.times())
     for ending in ("suture.h", "suture.cpp", "capnp"):

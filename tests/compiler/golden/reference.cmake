@@ -11,7 +11,8 @@ if(status)
   message(FATAL_ERROR "suturec refuses the headers")
 endif()
 
-file(GLOB names RELATIVE ${OUT}/reference ${OUT}/reference/*.suture.h ${OUT}/reference/*.suture.cpp)
+file(GLOB names RELATIVE ${OUT}/reference ${OUT}/reference/*.suture.h ${OUT}/reference/*.suture.cpp
+     ${OUT}/reference/*.wire.cpp)
 foreach(name IN LISTS names)
   if(UPDATE)
     configure_file(${OUT}/reference/${name} ${TESTS}/reference/${name} COPYONLY)

@@ -1,6 +1,6 @@
 """What suturec has written compiles without a warning, headers and sources.
 
-  warnings_test.py COMPILER ROOT FLAG...    every ROOT/**/*.suture.cpp, as one translation unit
+  warnings_test.py COMPILER ROOT FLAG...    every generated ROOT/**/*.cpp, as one translation unit
 """
 
 import os
@@ -24,7 +24,7 @@ def compiles(compiler, flags, text):
 
 def main():
     compiler, root, *flags = sys.argv[1:]
-    sources = sorted(pathlib.Path(root).rglob("*.suture.cpp"))
+    sources = sorted([*pathlib.Path(root).rglob("*.suture.cpp"), *pathlib.Path(root).rglob("*.wire.cpp")])
     assert sources, f"nothing below {root}"
     assert not compiles(compiler, flags, LOSSY), "a conversion that loses was not refused (the message above is expected)"
     text = "".join(f'#include "{source.relative_to(root)}"\n' for source in sources)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "compiler/emit/cpp/component_library.h"
 #include "tests/unit/emit/sample_model.h"
@@ -47,6 +48,26 @@ TEST_F(EmitTest, EachOwnHeaderGivesAllOutputsInTheirOrder) {
   EXPECT_EQ(paths, expected);
 }
 
+TEST_F(EmitTest, SourcesOfABigHeaderShareItsDeclarations) {
+  const std::string path = sample::armHeader(model_).path;
+  std::string all;
+  std::set<std::string> paths;
+  for (const Artefact& artefact : emit(model_, {}, {{path, 3}})) {
+    if (!artefact.path.starts_with("robots/arm.")) continue;
+    paths.insert(artefact.path);
+    if (artefact.path.ends_with(".cpp")) all += artefact.text;
+  }
+  for (const char* const kind : {"suture", "wire"}) {
+    for (const char* const number : {"", ".2", ".3"}) {
+      EXPECT_TRUE(paths.contains(std::string("robots/arm.") + kind + number + ".cpp")) << number;
+    }
+  }
+  const std::string definition = "bool store(const Everything& value, EverythingSlot& slot) {";
+  EXPECT_EQ(all.find(definition), all.rfind(definition));
+  EXPECT_NE(all.find(definition), std::string::npos);
+  EXPECT_EQ(paths.size(), outputs().size() + 4);
+}
+
 TEST_F(EmitTest, EqualModelsGiveEqualBytes) {
   const auto once = emit(model_, {});
   EXPECT_EQ(emit(sample::robots(), {}), once);
@@ -66,7 +87,7 @@ TEST_F(EmitTest, ADerivedContractKeepsItsBasesOrder) {
 }
 
 TEST_F(EmitTest, ADerivedContractHoldsOnlyWhatItAdds) {
-  const std::string source = text("robots/gripper.suture.cpp");
+  const std::string source = text("robots/gripper.wire.cpp");
   EXPECT_FALSE(contains(source, "ServoCpParams"));
   EXPECT_TRUE(contains(source,
                        "suture::interfaceInfo<robots::Arm>().codec().commands, "
@@ -145,7 +166,7 @@ TEST_F(EmitTest, RemovedEnumeratorsAreRefusedByName) {
   sample::armHeader(model_).enums[0].enumerators.erase(
       sample::armHeader(model_).enums[0].enumerators.begin() + 1);
   std::vector<Artefact> texts = lock::update(model_, before).files;
-  const std::string source = emit(model_, lock::read(texts, none))[1].text;
+  const std::string source = emit(model_, lock::read(texts, none))[2].text;
   EXPECT_TRUE(contains(source, "    case wire::Mode::REMOVED1: break;\n"));
 }
 

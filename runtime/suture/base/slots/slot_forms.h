@@ -24,6 +24,8 @@
 
 namespace suture {
 
+class FieldPath;
+
 /// Holds at most N elements.
 template <class Element, std::uint32_t N>
 struct BoundedList {

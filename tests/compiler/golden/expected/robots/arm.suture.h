@@ -45,6 +45,9 @@ void load(const EverythingSlot& slot, Everything& value);
 void reserve(const EverythingSlot*, Everything& value);
 void shiftStamps(EverythingSlot& slot, suture::Duration shift);
 
+bool isKnownMode(std::int8_t slot);
+bool isValid(const EverythingSlot& slot, suture::FieldPath* path);
+
 // --- Arm: the arguments of its commands ---
 
 struct ArmServoCpArguments {

@@ -1,19 +1,16 @@
 // Written by suturec from robots/geometry.h. Do not edit.
 #include "robots/geometry.suture.h"
 
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "robots/geometry.capnp.h"
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -43,37 +40,8 @@ void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
-  toWire(slot.pose, out.initPose());
-  out.setStamp(slot.stamp);
-  out.setValid(slot.valid != 0);
-}
-
-suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  slot.valid = in.getValid();
-  return in.hasPose() ? fromWire(in.getPose(), slot.pose)
-      : suture::rpc::fromDefault(PoseStamped().pose, slot.pose);
-}
-
 bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {
   return isValid(slot.pose) || suture::refusedAt(path, "pose");
 }
 
 }  // namespace robots
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::PoseStamped& value) {
-  return rpc::encodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::PoseStamped& value) {
-  return rpc::decodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(bytes, value);
-}
-
-}  // namespace suture

@@ -19,6 +19,8 @@ bool store(const PoseStamped& value, PoseStampedSlot& slot);
 void load(const PoseStampedSlot& slot, PoseStamped& value);
 void shiftStamps(PoseStampedSlot& slot, suture::Duration shift);
 
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
+
 }  // namespace robots
 
 namespace suture {

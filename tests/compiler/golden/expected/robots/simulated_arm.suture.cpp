@@ -1,27 +1,17 @@
 // Written by suturec from robots/simulated_arm.h. Do not edit.
 #include "robots/simulated_arm.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "robots/simulated_arm.capnp.h"
-
-// Defined in robots/arm.suture.cpp.
-namespace robots {
-wire::Mode wireMode(std::int8_t slot);
-bool isKnownMode(std::int8_t slot);
-suture::Errc fromWire(wire::Mode in, std::int8_t& slot);
-}  // namespace robots
-
 namespace robots {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -47,24 +37,8 @@ void load(const ArmParametersSlot& slot, ArmParameters& value) {
   load(slot.start, value.start);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const ArmParametersSlot& slot, wire::ArmParameters::Builder out) {
-  out.setRate(slot.rate);
-  toWire(slot.name, out.initName(sizeOf(slot.name)));
-  out.setStart(wireMode(slot.start));
-}
-
-suture::Errc fromWire(wire::ArmParameters::Reader in, ArmParametersSlot& slot, suture::Duration) {
-  slot.rate = in.getRate();
-  return suture::rpc::firstError({
-      fromWire(in.getName(), slot.name),
-      fromWire(in.getStart(), slot.start),
-  });
-}
-
 bool isValid(const ArmParametersSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.rate, 1, 4000)) return suture::refusedAt(path, "rate");
+  if (!suture::inRange(slot.rate, 1, 4000)) return suture::refusedAt(path, "rate");
   return isKnownMode(slot.start) || suture::refusedAt(path, "start");
 }
 
@@ -88,16 +62,6 @@ void fromJson(const suture::JsonReader& in, ArmParameters& value) {
 }  // namespace robots
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const robots::ArmParameters& value) {
-  return rpc::encodeAs<robots::wire::ArmParameters, robots::ArmParametersSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, robots::ArmParameters& value) {
-  return rpc::decodeAs<robots::wire::ArmParameters, robots::ArmParametersSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<robots::SimulatedArm>() {

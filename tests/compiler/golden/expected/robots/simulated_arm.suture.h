@@ -24,6 +24,8 @@ struct ArmParametersSlot {
 bool store(const ArmParameters& value, ArmParametersSlot& slot);
 void load(const ArmParametersSlot& slot, ArmParameters& value);
 
+bool isValid(const ArmParametersSlot& slot, suture::FieldPath* path);
+
 /// Reads what `in` says into `value`; what it does not mention keeps its default.
 void fromJson(const suture::JsonReader& in, ArmParameters& value);
 

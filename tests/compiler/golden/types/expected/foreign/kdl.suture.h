@@ -64,6 +64,14 @@ struct MotionSlot {
 bool store(const Motion& value, MotionSlot& slot);
 void load(const MotionSlot& slot, Motion& value);
 
+bool isValid(const KDLVectorSlot& slot, suture::FieldPath* path);
+bool isValid(const KDLRotationSlot& slot, suture::FieldPath* path);
+bool isValid(const KDLFrameSlot& slot, suture::FieldPath* path);
+bool isValid(const KDLTwistSlot& slot, suture::FieldPath* path);
+bool isValid(const KDLWrenchSlot& slot, suture::FieldPath* path);
+bool isValid(const KDLJntArraySlot& slot, suture::FieldPath* path);
+bool isValid(const MotionSlot& slot, suture::FieldPath* path);
+
 }  // namespace foreign
 
 namespace suture {

@@ -1,20 +1,16 @@
 // Written by suturec from foreign/opencv.h. Do not edit.
 #include "foreign/opencv.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "foreign/opencv.capnp.h"
-
 namespace foreign {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -71,60 +67,19 @@ void reserve(const ViewSlot*, View& value) {
 
 bool store(const cv::Point3d& at, CameraAimArguments& slot) { return store(at, slot.at); }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const cvPoint3dSlot& slot, wire::Point3d::Builder out) {
-  out.setX(slot.x);
-  out.setY(slot.y);
-  out.setZ(slot.z);
-}
-
-suture::Errc fromWire(wire::Point3d::Reader in, cvPoint3dSlot& slot, suture::Duration) {
-  slot.x = in.getX();
-  slot.y = in.getY();
-  slot.z = in.getZ();
-  return suture::Errc{};
-}
-
 bool isValid(const cvPoint3dSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.x)) return suture::refusedAt(path, "x");
   if (!isValid(slot.y)) return suture::refusedAt(path, "y");
   return isValid(slot.z) || suture::refusedAt(path, "z");
 }
 
-void toWire(const cvMatx33dSlot& slot, wire::Matx33d::Builder out) {
-  toWire(slot.val, out.initVal(9));
-}
-
-suture::Errc fromWire(wire::Matx33d::Reader in, cvMatx33dSlot& slot, suture::Duration) {
-  return in.getVal().size() != 0 ? fromWire(in.getVal(), slot.val)
-      : suture::rpc::fromDefault(cv::Matx33d().val, slot.val);
-}
-
 bool isValid(const cvMatx33dSlot& slot, suture::FieldPath* path) {
   return isValid(slot.val, path) || suture::refusedAt(path, "val");
 }
 
-void toWire(const ViewSlot& slot, wire::View::Builder out) {
-  toWire(slot.intrinsics, out.initIntrinsics());
-  suture::rpc::toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
-                          [](const cvPoint3dSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-}
-
-suture::Errc fromWire(wire::View::Reader in, ViewSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
-      fromWire(in.getIntrinsics(), slot.intrinsics, shift),
-      suture::rpc::fromWireList(in.getPoints(), slot.points, [&](auto item, cvPoint3dSlot& target) {
-        return fromWire(item, target, shift);
-      }),
-  });
-}
-
 bool isValid(const ViewSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.intrinsics, path)) return suture::refusedAt(path, "intrinsics");
-  if (!suture::rpc::allOf(slot.points, path, [path](const cvPoint3dSlot& element) {
+  if (!suture::allOf(slot.points, path, [path](const cvPoint3dSlot& element) {
     return isValid(element, path);
   })) {
     return suture::refusedAt(path, "points");
@@ -132,79 +87,13 @@ bool isValid(const ViewSlot& slot, suture::FieldPath* path) {
   return true;
 }
 
+// Defined in foreign/opencv.wire.cpp.
+const suture::rpc::Codec& cameraCodec();
+
 namespace {
 
 bool acceptsCameraAim(const CameraAimArguments& slot, suture::FieldPath* path) {
   return isValid(slot.at, path) || suture::refusedAt(path, "at");
-}
-
-// --- Camera as Cap'n Proto
-
-void encodeCameraAim(const CameraAimArguments& slot, wire::Camera::AimParams::Builder out) {
-  toWire(slot.at, out.initAt());
-}
-suture::Errc decodeCameraAim(wire::Camera::AimParams::Reader in, CameraAimArguments& slot,
-                             suture::Duration shift) {
-  return in.hasAt() ? fromWire(in.getAt(), slot.at, shift) : suture::Errc::Invalid;
-}
-
-void encodeCameraViewResult(const ViewSlot& slot, wire::Camera::ViewResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeCameraViewResult(wire::Camera::ViewResults::Reader in, ViewSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeCameraViewColumn(const ViewSlot& slot, wire::CameraStateRow::Builder out) {
-  toWire(slot, out.initView());
-}
-suture::Errc decodeCameraViewColumn(wire::CameraStateRow::Reader in, ViewSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasView() ? fromWire(in.getView(), slot, shift) : suture::Errc::Invalid;
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeCameraColumn(unsigned column, const std::byte* memory,
-                        wire::CameraStateRow::Builder out) {
-  switch (static_cast<CameraColumn>(column)) {
-    case CameraColumn::view: return encodeCameraViewColumn(suture::slotIn<ViewSlot>(memory), out);
-  }
-}
-suture::Errc decodeCameraColumn(wire::CameraStateRow::Reader in, unsigned column, std::byte* memory,
-                                suture::Duration shift) {
-  switch (static_cast<CameraColumn>(column)) {
-    case CameraColumn::view:
-      return decodeCameraViewColumn(in, suture::newSlot<ViewSlot>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kCameraCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Camera>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::Camera::AimParams>,
-     .arguments = suture::rpc::messageOf<wire::Camera::AimParams, CameraAimArguments,
-                                         encodeCameraAim, decodeCameraAim>},
-    {.interface = capnp::typeId<wire::Camera>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::Camera::ViewParams>,
-     .result = suture::rpc::messageOf<wire::Camera::ViewResults, ViewSlot, encodeCameraViewResult,
-                                      decodeCameraViewResult>,
-     .stamp = suture::rpc::stampIn<wire::Camera::ViewResults>},
-};
-
-const suture::rpc::Codec& cameraCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Camera>,
-      .contract = capnp::typeId<wire::Camera>(),
-      .subscriber = capnp::typeId<wire::CameraEvents>(),
-      .commands = kCameraCommandCodecs,
-      .events = {},
-      .row = suture::rpc::rowOf<wire::CameraEvents::StateParams, wire::CameraStateRow,
-                                encodeCameraColumn, decodeCameraColumn>,
-  };
-  return kCodec;
 }
 
 constexpr suture::CommandInfo kCameraCommands[] = {
@@ -258,36 +147,6 @@ constexpr char kCameraDescription[] = R"json(
 }  // namespace foreign
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const cv::Point3d& value) {
-  return rpc::encodeAs<foreign::wire::Point3d, foreign::cvPoint3dSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, cv::Point3d& value) {
-  return rpc::decodeAs<foreign::wire::Point3d, foreign::cvPoint3dSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const cv::Matx33d& value) {
-  return rpc::encodeAs<foreign::wire::Matx33d, foreign::cvMatx33dSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, cv::Matx33d& value) {
-  return rpc::decodeAs<foreign::wire::Matx33d, foreign::cvMatx33dSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const foreign::View& value) {
-  return rpc::encodeAs<foreign::wire::View, foreign::ViewSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, foreign::View& value) {
-  return rpc::decodeAs<foreign::wire::View, foreign::ViewSlot>(bytes, value);
-}
 
 template <>
 const InterfaceInfo& interfaceInfo<foreign::Camera>() {

@@ -38,6 +38,10 @@ bool store(const View& value, ViewSlot& slot);
 void load(const ViewSlot& slot, View& value);
 void reserve(const ViewSlot*, View& value);
 
+bool isValid(const cvPoint3dSlot& slot, suture::FieldPath* path);
+bool isValid(const cvMatx33dSlot& slot, suture::FieldPath* path);
+bool isValid(const ViewSlot& slot, suture::FieldPath* path);
+
 // --- Camera: the arguments of its commands ---
 
 struct CameraAimArguments {

@@ -1,19 +1,16 @@
 // Written by suturec from foreign/ros.h. Do not edit.
 #include "foreign/ros.suture.h"
 
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "foreign/ros.capnp.h"
-
 namespace foreign {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -157,75 +154,18 @@ void reserve(const JointStateSlot*, JointState& value) {
   suture::reserveFor<decltype(JointStateSlot::effort)>(value.effort);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const rosTimeSlot& slot, wire::Time::Builder out) {
-  out.setSec(slot.sec);
-  out.setNsec(slot.nsec);
-}
-
-suture::Errc fromWire(wire::Time::Reader in, rosTimeSlot& slot, suture::Duration) {
-  slot.sec = in.getSec();
-  slot.nsec = in.getNsec();
-  return suture::Errc{};
-}
-
 bool isValid(const rosTimeSlot&, suture::FieldPath*) {
   return true;
-}
-
-void toWire(const HeaderSlot& slot, wire::Header::Builder out) {
-  out.setSeq(slot.seq);
-  toWire(slot.stamp, out.initStamp());
-  toWire(slot.frame_id, out.initFrameId(sizeOf(slot.frame_id)));
-}
-
-suture::Errc fromWire(wire::Header::Reader in, HeaderSlot& slot, suture::Duration shift) {
-  slot.seq = in.getSeq();
-  return suture::rpc::firstError({
-      in.hasStamp() ? fromWire(in.getStamp(), slot.stamp, shift)
-          : suture::rpc::fromDefault(Header().stamp, slot.stamp),
-      in.hasFrameId() ? fromWire(in.getFrameId(), slot.frame_id)
-          : suture::rpc::fromDefault(Header().frame_id, slot.frame_id),
-  });
 }
 
 bool isValid(const HeaderSlot& slot, suture::FieldPath* path) {
   return isValid(slot.stamp, path) || suture::refusedAt(path, "stamp");
 }
 
-void toWire(const PointSlot& slot, wire::Point::Builder out) {
-  out.setX(slot.x);
-  out.setY(slot.y);
-  out.setZ(slot.z);
-}
-
-suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration) {
-  slot.x = in.getX();
-  slot.y = in.getY();
-  slot.z = in.getZ();
-  return suture::Errc{};
-}
-
 bool isValid(const PointSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.x)) return suture::refusedAt(path, "x");
   if (!isValid(slot.y)) return suture::refusedAt(path, "y");
   return isValid(slot.z) || suture::refusedAt(path, "z");
-}
-
-void toWire(const QuaternionSlot& slot, wire::Quaternion::Builder out) {
-  out.setX(slot.x);
-  out.setY(slot.y);
-  out.setZ(slot.z);
-  out.setW(slot.w);
-}
-
-suture::Errc fromWire(wire::Quaternion::Reader in, QuaternionSlot& slot, suture::Duration) {
-  slot.x = in.getX();
-  slot.y = in.getY();
-  slot.z = in.getZ();
-  slot.w = in.getW();
-  return suture::Errc{};
 }
 
 bool isValid(const QuaternionSlot& slot, suture::FieldPath* path) {
@@ -235,65 +175,14 @@ bool isValid(const QuaternionSlot& slot, suture::FieldPath* path) {
   return isValid(slot.w) || suture::refusedAt(path, "w");
 }
 
-void toWire(const PoseSlot& slot, wire::Pose::Builder out) {
-  toWire(slot.position, out.initPosition());
-  toWire(slot.orientation, out.initOrientation());
-}
-
-suture::Errc fromWire(wire::Pose::Reader in, PoseSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
-      in.hasPosition() ? fromWire(in.getPosition(), slot.position, shift)
-          : suture::rpc::fromDefault(Pose().position, slot.position),
-      in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation, shift)
-          : suture::rpc::fromDefault(Pose().orientation, slot.orientation),
-  });
-}
-
 bool isValid(const PoseSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.position, path)) return suture::refusedAt(path, "position");
   return isValid(slot.orientation, path) || suture::refusedAt(path, "orientation");
 }
 
-void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
-  toWire(slot.header, out.initHeader());
-  toWire(slot.pose, out.initPose());
-}
-
-suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
-      in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift)
-          : suture::rpc::fromDefault(PoseStamped().header, slot.header),
-      in.hasPose() ? fromWire(in.getPose(), slot.pose, shift)
-          : suture::rpc::fromDefault(PoseStamped().pose, slot.pose),
-  });
-}
-
 bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.header, path)) return suture::refusedAt(path, "header");
   return isValid(slot.pose, path) || suture::refusedAt(path, "pose");
-}
-
-void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
-  toWire(slot.header, out.initHeader());
-  toWire(slot.name, out.initName(sizeOf(slot.name)));
-  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
-  toWire(slot.velocity, out.initVelocity(sizeOf(slot.velocity)));
-  toWire(slot.effort, out.initEffort(sizeOf(slot.effort)));
-}
-
-suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
-      in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift)
-          : suture::rpc::fromDefault(JointState().header, slot.header),
-      in.hasName() ? fromWire(in.getName(), slot.name)
-          : suture::rpc::fromDefault(JointState().name, slot.name),
-      in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : suture::rpc::fromDefault(JointState().position, slot.position),
-      in.hasVelocity() ? fromWire(in.getVelocity(), slot.velocity)
-          : suture::rpc::fromDefault(JointState().velocity, slot.velocity),
-      in.hasEffort() ? fromWire(in.getEffort(), slot.effort)
-          : suture::rpc::fromDefault(JointState().effort, slot.effort),
-  });
 }
 
 bool isValid(const JointStateSlot& slot, suture::FieldPath* path) {
@@ -304,77 +193,3 @@ bool isValid(const JointStateSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace foreign
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const ros::Time& value) {
-  return rpc::encodeAs<foreign::wire::Time, foreign::rosTimeSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, ros::Time& value) {
-  return rpc::decodeAs<foreign::wire::Time, foreign::rosTimeSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const foreign::Header& value) {
-  return rpc::encodeAs<foreign::wire::Header, foreign::HeaderSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, foreign::Header& value) {
-  return rpc::decodeAs<foreign::wire::Header, foreign::HeaderSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const foreign::Point& value) {
-  return rpc::encodeAs<foreign::wire::Point, foreign::PointSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, foreign::Point& value) {
-  return rpc::decodeAs<foreign::wire::Point, foreign::PointSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const foreign::Quaternion& value) {
-  return rpc::encodeAs<foreign::wire::Quaternion, foreign::QuaternionSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, foreign::Quaternion& value) {
-  return rpc::decodeAs<foreign::wire::Quaternion, foreign::QuaternionSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const foreign::Pose& value) {
-  return rpc::encodeAs<foreign::wire::Pose, foreign::PoseSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, foreign::Pose& value) {
-  return rpc::decodeAs<foreign::wire::Pose, foreign::PoseSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const foreign::PoseStamped& value) {
-  return rpc::encodeAs<foreign::wire::PoseStamped, foreign::PoseStampedSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, foreign::PoseStamped& value) {
-  return rpc::decodeAs<foreign::wire::PoseStamped, foreign::PoseStampedSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const foreign::JointState& value) {
-  return rpc::encodeAs<foreign::wire::JointState, foreign::JointStateSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, foreign::JointState& value) {
-  return rpc::decodeAs<foreign::wire::JointState, foreign::JointStateSlot>(bytes, value);
-}
-
-}  // namespace suture

@@ -74,6 +74,14 @@ bool store(const JointState& value, JointStateSlot& slot);
 void load(const JointStateSlot& slot, JointState& value);
 void reserve(const JointStateSlot*, JointState& value);
 
+bool isValid(const rosTimeSlot& slot, suture::FieldPath* path);
+bool isValid(const HeaderSlot& slot, suture::FieldPath* path);
+bool isValid(const PointSlot& slot, suture::FieldPath* path);
+bool isValid(const QuaternionSlot& slot, suture::FieldPath* path);
+bool isValid(const PoseSlot& slot, suture::FieldPath* path);
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path);
+
 }  // namespace foreign
 
 namespace suture {

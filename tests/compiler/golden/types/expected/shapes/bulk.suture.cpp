@@ -1,19 +1,16 @@
 // Written by suturec from shapes/bulk.h. Do not edit.
 #include "shapes/bulk.suture.h"
 
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "shapes/bulk.capnp.h"
-
 namespace shapes {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -53,33 +50,10 @@ void reserve(const BulkSlot*, Bulk& value) {
   suture::reserveFor<decltype(BulkSlot::bytes)>(value.bytes);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const BulkSlot& slot, wire::Bulk::Builder out) {
-  toWire(slot.samples, out.initSamples(sizeOf(slot.samples) * sizeof(double)));
-  toWire(slot.triple, out.initTriple(3 * sizeof(std::int16_t)));
-  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
-  toWire(slot.line, out.initLine(sizeOf(slot.line) * sizeof(float)));
-  toWire(slot.jacobian, out.initJacobian(42 * sizeof(double)));
-  toWire(slot.image, out.initImage());
-}
-
-suture::Errc fromWire(wire::Bulk::Reader in, BulkSlot& slot, suture::Duration) {
-  return suture::rpc::firstError({
-      fromWire(in.getSamples(), slot.samples),
-      fromWire(in.getTriple(), slot.triple),
-      fromWire(in.getBytes(), slot.bytes),
-      fromWire(in.getLine(), slot.line),
-      in.getJacobian().size() != 0 ? fromWire(in.getJacobian(), slot.jacobian)
-          : suture::rpc::fromDefault(Bulk().jacobian, slot.jacobian),
-      fromWire(in.getImage(), slot.image),
-  });
-}
-
 bool isValid(const BulkSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.samples, path)) return suture::refusedAt(path, "samples");
-  if (!suture::rpc::allOf(slot.triple, path, [](const std::int16_t& element) {
-    return suture::rpc::inRange(element, -5, 5);
+  if (!suture::allOf(slot.triple, path, [](const std::int16_t& element) {
+    return suture::inRange(element, -5, 5);
   })) {
     return suture::refusedAt(path, "triple");
   }
@@ -89,17 +63,3 @@ bool isValid(const BulkSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace shapes
-
-namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const shapes::Bulk& value) {
-  return rpc::encodeAs<shapes::wire::Bulk, shapes::BulkSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, shapes::Bulk& value) {
-  return rpc::decodeAs<shapes::wire::Bulk, shapes::BulkSlot>(bytes, value);
-}
-
-}  // namespace suture

@@ -22,6 +22,8 @@ bool store(const Bulk& value, BulkSlot& slot);
 void load(const BulkSlot& slot, Bulk& value);
 void reserve(const BulkSlot*, Bulk& value);
 
+bool isValid(const BulkSlot& slot, suture::FieldPath* path);
+
 }  // namespace shapes
 
 namespace suture {

@@ -89,6 +89,14 @@ bool store(const Classes& value, ClassesSlot& slot);
 void load(const ClassesSlot& slot, Classes& value);
 void reserve(const ClassesSlot*, Classes& value);
 
+bool isValid(const NamedSlot& slot, suture::FieldPath* path);
+bool isValid(const StampedPointSlot& slot, suture::FieldPath* path);
+bool isValid(const ToolSlot& slot, suture::FieldPath* path);
+bool isValid(const StampedLevelSlot& slot, suture::FieldPath* path);
+bool isValid(const CounterSlot& slot, suture::FieldPath* path);
+bool isValid(const TreeSlot& slot, suture::FieldPath* path);
+bool isValid(const ClassesSlot& slot, suture::FieldPath* path);
+
 }  // namespace shapes
 
 namespace suture {

@@ -85,6 +85,12 @@ bool store(const Matrices& value, MatricesSlot& slot);
 void load(const MatricesSlot& slot, Matrices& value);
 void reserve(const MatricesSlot*, Matrices& value);
 
+bool isKnownLevel(std::int16_t slot);
+bool isValid(const PointSlot& slot, suture::FieldPath* path);
+bool isValid(const SequencesSlot& slot, suture::FieldPath* path);
+bool isValid(const ChoicesSlot& slot, suture::FieldPath* path);
+bool isValid(const MatricesSlot& slot, suture::FieldPath* path);
+
 // --- Store: the arguments of its commands ---
 
 struct StorePutArguments {

@@ -1,20 +1,17 @@
 // Written by suturec from shapes/guest.h. Do not edit.
 #include "shapes/guest.suture.h"
 
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "shapes/guest.capnp.h"
-
 namespace shapes {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -37,19 +34,6 @@ void load(const guestLimitsSlot& slot, guest::Limits& value) {
   load(slot.high, value.high);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const guestLimitsSlot& slot, wire::Limits::Builder out) {
-  out.setLow(slot.low);
-  out.setHigh(slot.high);
-}
-
-suture::Errc fromWire(wire::Limits::Reader in, guestLimitsSlot& slot, suture::Duration) {
-  slot.low = in.getLow();
-  slot.high = in.getHigh();
-  return suture::Errc{};
-}
-
 bool isValid(const guestLimitsSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.low)) return suture::refusedAt(path, "low");
   return isValid(slot.high) || suture::refusedAt(path, "high");
@@ -69,16 +53,6 @@ void fromJson(const suture::JsonReader& in, Limits& value) {
 }  // namespace guest
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const guest::Limits& value) {
-  return rpc::encodeAs<shapes::wire::Limits, shapes::guestLimitsSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, guest::Limits& value) {
-  return rpc::decodeAs<shapes::wire::Limits, shapes::guestLimitsSlot>(bytes, value);
-}
 
 template <>
 ComponentClass componentClass<shapes::Fence>() {

@@ -21,6 +21,8 @@ struct guestLimitsSlot {
 bool store(const guest::Limits& value, guestLimitsSlot& slot);
 void load(const guestLimitsSlot& slot, guest::Limits& value);
 
+bool isValid(const guestLimitsSlot& slot, suture::FieldPath* path);
+
 }  // namespace shapes
 
 namespace guest {

@@ -43,6 +43,9 @@ bool store(const Large& value, LargeSlot& slot);
 void load(const LargeSlot& slot, Large& value);
 void reserve(const LargeSlot*, Large& value);
 
+bool isValid(const TraceSlot& slot, suture::FieldPath* path);
+bool isValid(const LargeSlot& slot, suture::FieldPath* path);
+
 // --- Recorder: the arguments of its commands ---
 
 struct RecorderKeepArguments {

@@ -41,6 +41,9 @@ void load(const MomentsSlot& slot, Moments& value);
 void reserve(const MomentsSlot*, Moments& value);
 void shiftStamps(MomentsSlot& slot, suture::Duration shift);
 
+bool isValid(const MomentSlot& slot, suture::FieldPath* path);
+bool isValid(const MomentsSlot& slot, suture::FieldPath* path);
+
 // --- Journal: the arguments of its commands ---
 
 struct JournalPutArguments {

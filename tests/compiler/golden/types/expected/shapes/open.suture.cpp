@@ -1,27 +1,16 @@
 // Written by suturec from shapes/open.h. Do not edit.
 #include "shapes/open.suture.h"
 
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/slots/valid_values.h>
+#include <suture/wire/stamps.h>
 
 #include <type_traits>
 
-#include "shapes/open.capnp.h"
-
-// Defined in shapes/containers.suture.cpp.
-namespace shapes {
-void toWire(const PointSlot& slot, wire::Point::Builder out);
-suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration shift);
-bool isValid(const PointSlot& slot, suture::FieldPath* path);
-}  // namespace shapes
-
 namespace shapes {
 
+using suture::isValid;
 using suture::load;
-using suture::rpc::fromWire;
-using suture::rpc::isValid;
-using suture::rpc::toWire;
 using suture::store;
 
 namespace {
@@ -159,63 +148,14 @@ void load(const ArchiveGrownPayload& slot, std::string& value, Root& value2) {
   load(slot.value2, value2);
 }
 
-// --- between slots and Cap'n Proto
-
-void toWire(const RootSlot& slot, wire::Root::Builder out);
-suture::Errc fromWire(wire::Root::Reader in, RootSlot& slot, suture::Duration shift);
-bool isValid(const RootSlot& slot, suture::FieldPath* path);
-void toWire(const BranchSlot& slot, wire::Branch::Builder out);
-suture::Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, suture::Duration shift);
-bool isValid(const BranchSlot& slot, suture::FieldPath* path);
-
-void toWire(const suture::OpenOptional<RootSlot>& slot, wire::ShapesOpenOptionalRoot::Builder out) {
-  if (slot.present == 0) return out.setNone();
-  toWire(*slot.value, out.initSome());
-}
-
-suture::Errc fromWire(wire::ShapesOpenOptionalRoot::Reader in, suture::OpenOptional<RootSlot>& slot,
-                      suture::Duration shift) {
-  if (in.isNone()) return slot.present = 0, suture::Errc{};
-  if (!in.isSome()) return suture::Errc::Invalid;
-  engage(slot);
-  return fromWire(in.getSome(), *slot.value, shift);
-}
-
-void toWire(const RootSlot& slot, wire::Root::Builder out) {
-  out.setValue(slot.value);
-  suture::rpc::toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
-                          [](const RootSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  toWire(slot.shadow, out.initShadow());
-  suture::rpc::toWireList(slot.branches, out.initBranches(sizeOf(slot.branches)),
-                          [](const BranchSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-}
-
-suture::Errc fromWire(wire::Root::Reader in, RootSlot& slot, suture::Duration shift) {
-  slot.value = in.getValue();
-  return suture::rpc::firstError({
-      suture::rpc::fromWireList(in.getChildren(), slot.children, [&](auto item, RootSlot& target) {
-        return fromWire(item, target, shift);
-      }),
-      fromWire(in.getShadow(), slot.shadow, shift),
-      suture::rpc::fromWireList(in.getBranches(), slot.branches,
-                                [&](auto item, BranchSlot& target) {
-                                  return fromWire(item, target, shift);
-                                }),
-  });
-}
-
 bool isValid(const RootSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::allOf(slot.children, path, [path](const RootSlot& element) {
+  if (!suture::allOf(slot.children, path, [path](const RootSlot& element) {
     return isValid(element, path);
   })) {
     return suture::refusedAt(path, "children");
   }
   if (!isValid(slot.shadow, path)) return suture::refusedAt(path, "shadow");
-  if (!suture::rpc::allOf(slot.branches, path, [path](const BranchSlot& element) {
+  if (!suture::allOf(slot.branches, path, [path](const BranchSlot& element) {
     return isValid(element, path);
   })) {
     return suture::refusedAt(path, "branches");
@@ -223,182 +163,15 @@ bool isValid(const RootSlot& slot, suture::FieldPath* path) {
   return true;
 }
 
-void toWire(const suture::SlotEntry<suture::OpenText, RootSlot>& slot,
-            wire::ShapesOpenEntryOfTextToRoot::Builder out) {
-  toWire(slot.key, out.initKey(sizeOf(slot.key)));
-  toWire(slot.value, out.initValue());
-}
-
-suture::Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
-                      suture::SlotEntry<suture::OpenText, RootSlot>& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
-      fromWire(in.getKey(), slot.key),
-      fromWire(in.getValue(), slot.value, shift),
-  });
-}
-
-void toWire(const BranchSlot& slot, wire::Branch::Builder out) {
-  out.setLength(slot.length);
-  suture::rpc::toWireList(slot.roots, out.initRoots(sizeOf(slot.roots)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-}
-
-suture::Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, suture::Duration shift) {
-  slot.length = in.getLength();
-  return suture::rpc::fromWireDistinct(in.getRoots(), slot.roots, [&](auto item, auto& target) {
-    return fromWire(item, target, shift);
-  });
-}
-
 bool isValid(const BranchSlot& slot, suture::FieldPath* path) {
-  if (!suture::rpc::inRange(slot.length, 0, 10)) return suture::refusedAt(path, "length");
+  if (!suture::inRange(slot.length, 0, 10)) return suture::refusedAt(path, "length");
   return isValid(slot.roots, path) || suture::refusedAt(path, "roots");
-}
-
-void toWire(const suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
-            wire::ShapesOpenEntryOfTextToListOfPoint::Builder out) {
-  toWire(slot.key, out.initKey(sizeOf(slot.key)));
-  suture::rpc::toWireList(slot.value, out.initValue(sizeOf(slot.value)),
-                          [](const PointSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-}
-
-suture::Errc fromWire(wire::ShapesOpenEntryOfTextToListOfPoint::Reader in,
-                      suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
-                      suture::Duration shift) {
-  return suture::rpc::firstError({
-      fromWire(in.getKey(), slot.key),
-      suture::rpc::fromWireList(in.getValue(), slot.value, [&](auto item, PointSlot& target) {
-        return fromWire(item, target, shift);
-      }),
-  });
-}
-
-void toWire(const suture::SlotOptional<suture::OpenText>& slot,
-            wire::ShapesOpenOptionalText::Builder out) {
-  if (slot.present == 0) return out.setNone();
-  toWire(slot.value, out.initSome(sizeOf(slot.value)));
-}
-
-suture::Errc fromWire(wire::ShapesOpenOptionalText::Reader in,
-                      suture::SlotOptional<suture::OpenText>& slot, suture::Duration) {
-  if (in.isNone()) return slot.present = 0, suture::Errc{};
-  if (!in.isSome()) return suture::Errc::Invalid;
-  slot.present = 1;
-  return fromWire(in.getSome(), slot.value);
-}
-
-void toWire(const suture::SlotVariant<suture::SlotNothing, suture::OpenText, PointSlot>& slot,
-            wire::ShapesOpenEitherOfNothingOrTextOrPoint::Builder out) {
-  if (slot.index == 0) return out.setNothing();
-  if (slot.index == 1) return toWire(suture::alternative<1>(slot),
-                                     out.initText(sizeOf(suture::alternative<1>(slot))));
-  if (slot.index == 2) return toWire(suture::alternative<2>(slot), out.initPoint());
-}
-
-suture::Errc fromWire(wire::ShapesOpenEitherOfNothingOrTextOrPoint::Reader in,
-                      suture::SlotVariant<suture::SlotNothing, suture::OpenText, PointSlot>& slot,
-                      suture::Duration shift) {
-  if (in.isNothing()) {
-    slot.index = 0;
-    return suture::Errc{};
-  }
-  if (in.isText()) {
-    slot.index = 1;
-    return fromWire(in.getText(), suture::alternative<1>(slot));
-  }
-  if (in.isPoint()) {
-    slot.index = 2;
-    return fromWire(in.getPoint(), suture::alternative<2>(slot), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-void toWire(const suture::SlotTuple<std::int32_t, suture::OpenText>& slot,
-            wire::ShapesOpenTupleOfInt32AndText::Builder out) {
-  out.setItem0(suture::item<0>(slot));
-  toWire(suture::item<1>(slot), out.initItem1(sizeOf(suture::item<1>(slot))));
-}
-
-suture::Errc fromWire(wire::ShapesOpenTupleOfInt32AndText::Reader in,
-                      suture::SlotTuple<std::int32_t, suture::OpenText>& slot, suture::Duration) {
-  suture::item<0>(slot) = in.getItem0();
-  return fromWire(in.getItem1(), suture::item<1>(slot));
-}
-
-void toWire(const OpenSlot& slot, wire::Open::Builder out) {
-  toWire(slot.name, out.initName(sizeOf(slot.name)));
-  toWire(slot.samples, out.initSamples(sizeOf(slot.samples)));
-  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
-  toWire(slot.block, out.initBlock(sizeOf(slot.block) * sizeof(float)));
-  toWire(slot.flags, out.initFlags(sizeOf(slot.flags)));
-  suture::rpc::toWireList(slot.path, out.initPath(sizeOf(slot.path)),
-                          [](const PointSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  suture::rpc::toWireList(slot.pair, out.initPair(2),
-                          [](const suture::OpenText& element, auto list, std::uint32_t i) {
-                            toWire(element, list.init(i, sizeOf(element)));
-                          });
-  toWire(slot.words, out.initWords(sizeOf(slot.words)));
-  toWire(slot.shorts, out.initShorts(sizeOf(slot.shorts)));
-  toWire(slot.keys, out.initKeys(sizeOf(slot.keys)));
-  suture::rpc::toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  toWire(slot.note, out.initNote());
-  toWire(slot.either, out.initEither());
-  toWire(slot.entry, out.initEntry());
-  toWire(slot.joints, out.initJoints(sizeOf(slot.joints)));
-  toWire(slot.any, out.initAny());
-  toWire(slot.wide, out.initWide());
-  suture::rpc::toWireFlat(slot.cloud, out.initCloud(sizeOf(slot.cloud) * 3));
-  toWire(slot.image, out.initImage());
-  toWire(slot.root, out.initRoot());
-}
-
-suture::Errc fromWire(wire::Open::Reader in, OpenSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
-      fromWire(in.getName(), slot.name),
-      fromWire(in.getSamples(), slot.samples),
-      fromWire(in.getBytes(), slot.bytes),
-      fromWire(in.getBlock(), slot.block),
-      fromWire(in.getFlags(), slot.flags),
-      suture::rpc::fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
-        return fromWire(item, target, shift);
-      }),
-      suture::rpc::fromWireList(in.getPair(), slot.pair, [](auto item, suture::OpenText& target) {
-        return fromWire(item, target);
-      }),
-      fromWire(in.getWords(), slot.words),
-      fromWire(in.getShorts(), slot.shorts),
-      suture::rpc::fromWireDistinct(in.getKeys(), slot.keys,
-                                    [](auto item, suture::OpenText& target) {
-                                      return fromWire(item, target);
-                                    }),
-      suture::rpc::fromWireDistinct(in.getSeries(), slot.series, [&](auto item, auto& target) {
-        return fromWire(item, target, shift);
-      }),
-      fromWire(in.getNote(), slot.note, shift),
-      fromWire(in.getEither(), slot.either, shift),
-      fromWire(in.getEntry(), slot.entry, shift),
-      fromWire(in.getJoints(), slot.joints),
-      fromWire(in.getAny(), slot.any),
-      fromWire(in.getWide(), slot.wide),
-      suture::rpc::fromWireFlat(in.getCloud(), slot.cloud),
-      fromWire(in.getImage(), slot.image),
-      fromWire(in.getRoot(), slot.root, shift),
-  });
 }
 
 bool isValid(const OpenSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.samples, path)) return suture::refusedAt(path, "samples");
   if (!isValid(slot.block, path)) return suture::refusedAt(path, "block");
-  if (!suture::rpc::allOf(slot.path, path, [path](const PointSlot& element) {
+  if (!suture::allOf(slot.path, path, [path](const PointSlot& element) {
     return isValid(element, path);
   })) {
     return suture::refusedAt(path, "path");
@@ -406,13 +179,13 @@ bool isValid(const OpenSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.series, path)) return suture::refusedAt(path, "series");
   if (!isValid(slot.either, path)) return suture::refusedAt(path, "either");
   if (!isValid(slot.joints, path)) return suture::refusedAt(path, "joints");
-  if (!suture::rpc::allOf(slot.any, nullptr, [](double element) {
-    return suture::rpc::inRange(element, -1, 1);
+  if (!suture::allOf(slot.any, nullptr, [](double element) {
+    return suture::inRange(element, -1, 1);
   })) {
     return suture::refusedAt(path, "any");
   }
   if (!isValid(slot.wide)) return suture::refusedAt(path, "wide");
-  if (!suture::rpc::allOf(slot.cloud, path, [path](const std::array<double, 3>& element) {
+  if (!suture::allOf(slot.cloud, path, [path](const std::array<double, 3>& element) {
     return isValid(element, path);
   })) {
     return suture::refusedAt(path, "cloud");
@@ -420,6 +193,9 @@ bool isValid(const OpenSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.image)) return suture::refusedAt(path, "image");
   return isValid(slot.root, path) || suture::refusedAt(path, "root");
 }
+
+// Defined in shapes/open.wire.cpp.
+const suture::rpc::Codec& archiveCodec();
 
 namespace {
 
@@ -433,189 +209,6 @@ bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot, suture::FieldPat
 
 bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot, suture::FieldPath* path) {
   return isValid(slot.value2, path) || suture::refusedAt(path, "value2");
-}
-
-// --- Archive as Cap'n Proto
-
-void encodeArchivePut(const ArchivePutArguments& slot, wire::Archive::PutParams::Builder out) {
-  toWire(slot.key, out.initKey(sizeOf(slot.key)));
-  toWire(slot.value, out.initValue());
-}
-suture::Errc decodeArchivePut(wire::Archive::PutParams::Reader in, ArchivePutArguments& slot,
-                              suture::Duration shift) {
-  return suture::rpc::firstError({
-      fromWire(in.getKey(), slot.key),
-      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid,
-  });
-}
-
-void encodeArchiveRemark(const ArchiveRemarkArguments& slot,
-                         wire::Archive::RemarkParams::Builder out) {
-  toWire(slot.text, out.initText(sizeOf(slot.text)));
-}
-suture::Errc decodeArchiveRemark(wire::Archive::RemarkParams::Reader in,
-                                 ArchiveRemarkArguments& slot, suture::Duration) {
-  return fromWire(in.getText(), slot.text);
-}
-
-void encodeArchiveNewestResult(const OpenSlot& slot, wire::Archive::NewestResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeArchiveNewestResult(wire::Archive::NewestResults::Reader in, OpenSlot& slot,
-                                       suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeArchiveFind(const ArchiveFindArguments& slot, wire::Archive::FindParams::Builder out) {
-  toWire(slot.pattern, out.initPattern(sizeOf(slot.pattern)));
-}
-suture::Errc decodeArchiveFind(wire::Archive::FindParams::Reader in, ArchiveFindArguments& slot,
-                               suture::Duration) {
-  return fromWire(in.getPattern(), slot.pattern);
-}
-
-void encodeArchiveFindResult(const suture::OpenList<suture::OpenText>& slot,
-                             wire::Archive::FindResults::Builder out) {
-  toWire(slot, out.initValue(sizeOf(slot)));
-}
-suture::Errc decodeArchiveFindResult(wire::Archive::FindResults::Reader in,
-                                     suture::OpenList<suture::OpenText>& slot, suture::Duration) {
-  return fromWire(in.getValue(), slot);
-}
-
-void encodeArchiveReplace(const ArchiveReplaceArguments& slot,
-                          wire::Archive::ReplaceParams::Builder out) {
-  toWire(slot.value, out.initValue());
-}
-suture::Errc decodeArchiveReplace(wire::Archive::ReplaceParams::Reader in,
-                                  ArchiveReplaceArguments& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
-}
-
-void encodeArchiveReplaceResult(const OpenSlot& slot, wire::Archive::ReplaceResults::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeArchiveReplaceResult(wire::Archive::ReplaceResults::Reader in, OpenSlot& slot,
-                                        suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeArchiveRenamedEvent(const suture::OpenText& slot,
-                               wire::ArchiveEvents::RenamedParams::Builder out) {
-  toWire(slot, out.initValue(sizeOf(slot)));
-}
-suture::Errc decodeArchiveRenamedEvent(wire::ArchiveEvents::RenamedParams::Reader in,
-                                       suture::OpenText& slot, suture::Duration) {
-  return fromWire(in.getValue(), slot);
-}
-
-void encodeArchiveGrownEvent(const ArchiveGrownPayload& slot,
-                             wire::ArchiveEvents::GrownParams::Builder out) {
-  toWire(slot.value, out.initValue(sizeOf(slot.value)));
-  toWire(slot.value2, out.initValue2());
-}
-suture::Errc decodeArchiveGrownEvent(wire::ArchiveEvents::GrownParams::Reader in,
-                                     ArchiveGrownPayload& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
-      fromWire(in.getValue(), slot.value),
-      in.hasValue2() ? fromWire(in.getValue2(), slot.value2, shift) : suture::Errc::Invalid,
-  });
-}
-
-void encodeArchiveChangedEvent(const OpenSlot& slot,
-                               wire::ArchiveEvents::ChangedParams::Builder out) {
-  toWire(slot, out.initValue());
-}
-suture::Errc decodeArchiveChangedEvent(wire::ArchiveEvents::ChangedParams::Reader in,
-                                       OpenSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
-}
-
-void encodeArchiveNewestColumn(const OpenSlot& slot, wire::ArchiveStateRow::Builder out) {
-  toWire(slot, out.initNewest());
-}
-suture::Errc decodeArchiveNewestColumn(wire::ArchiveStateRow::Reader in, OpenSlot& slot,
-                                       suture::Duration shift) {
-  return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : suture::Errc::Invalid;
-}
-
-// A row of the state has a member for each column, so one function each way finds them all.
-void encodeArchiveColumn(unsigned column, const std::byte* memory,
-                         wire::ArchiveStateRow::Builder out) {
-  switch (static_cast<ArchiveColumn>(column)) {
-    case ArchiveColumn::newest:
-      return encodeArchiveNewestColumn(suture::slotIn<OpenSlot>(memory), out);
-  }
-}
-suture::Errc decodeArchiveColumn(wire::ArchiveStateRow::Reader in, unsigned column,
-                                 std::byte* memory, suture::Duration shift) {
-  switch (static_cast<ArchiveColumn>(column)) {
-    case ArchiveColumn::newest:
-      return decodeArchiveNewestColumn(in, suture::newSlot<OpenSlot>(memory), shift);
-  }
-  return suture::Errc::Invalid;
-}
-
-constexpr suture::rpc::CommandCodec kArchiveCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Archive>(),
-     .method = 1,
-     .sent = suture::rpc::sentIn<wire::Archive::PutParams>,
-     .arguments = suture::rpc::messageOf<wire::Archive::PutParams, ArchivePutArguments,
-                                         encodeArchivePut, decodeArchivePut>},
-    {.interface = capnp::typeId<wire::Archive>(),
-     .method = 2,
-     .sent = suture::rpc::sentIn<wire::Archive::RemarkParams>,
-     .arguments = suture::rpc::messageOf<wire::Archive::RemarkParams, ArchiveRemarkArguments,
-                                         encodeArchiveRemark, decodeArchiveRemark>},
-    {.interface = capnp::typeId<wire::Archive>(),
-     .method = 3,
-     .sent = suture::rpc::sentIn<wire::Archive::NewestParams>,
-     .result = suture::rpc::messageOf<wire::Archive::NewestResults, OpenSlot,
-                                      encodeArchiveNewestResult, decodeArchiveNewestResult>,
-     .stamp = suture::rpc::stampIn<wire::Archive::NewestResults>},
-    {.interface = capnp::typeId<wire::Archive>(),
-     .method = 4,
-     .sent = suture::rpc::sentIn<wire::Archive::FindParams>,
-     .arguments = suture::rpc::messageOf<wire::Archive::FindParams, ArchiveFindArguments,
-                                         encodeArchiveFind, decodeArchiveFind>,
-     .result = suture::rpc::messageOf<wire::Archive::FindResults,
-                                      suture::OpenList<suture::OpenText>, encodeArchiveFindResult,
-                                      decodeArchiveFindResult>},
-    {.interface = capnp::typeId<wire::Archive>(),
-     .method = 5,
-     .sent = suture::rpc::sentIn<wire::Archive::ReplaceParams>,
-     .arguments = suture::rpc::messageOf<wire::Archive::ReplaceParams, ArchiveReplaceArguments,
-                                         encodeArchiveReplace, decodeArchiveReplace>,
-     .result = suture::rpc::messageOf<wire::Archive::ReplaceResults, OpenSlot,
-                                      encodeArchiveReplaceResult, decodeArchiveReplaceResult>},
-};
-
-constexpr suture::rpc::EventCodec kArchiveEventCodecs[] = {
-    {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::ArchiveEvents::RenamedParams>,
-     .payload = suture::rpc::messageOf<wire::ArchiveEvents::RenamedParams, suture::OpenText,
-                                       encodeArchiveRenamedEvent, decodeArchiveRenamedEvent>},
-    {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::ArchiveEvents::GrownParams>,
-     .payload = suture::rpc::messageOf<wire::ArchiveEvents::GrownParams, ArchiveGrownPayload,
-                                       encodeArchiveGrownEvent, decodeArchiveGrownEvent>},
-    {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::ArchiveEvents::ChangedParams>,
-     .payload = suture::rpc::messageOf<wire::ArchiveEvents::ChangedParams, OpenSlot,
-                                       encodeArchiveChangedEvent, decodeArchiveChangedEvent>},
-};
-
-const suture::rpc::Codec& archiveCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Archive>,
-      .contract = capnp::typeId<wire::Archive>(),
-      .subscriber = capnp::typeId<wire::ArchiveEvents>(),
-      .commands = kArchiveCommandCodecs,
-      .events = kArchiveEventCodecs,
-      .row = suture::rpc::rowOf<wire::ArchiveEvents::StateParams, wire::ArchiveStateRow,
-                                encodeArchiveColumn, decodeArchiveColumn>,
-  };
-  return kCodec;
 }
 
 constexpr suture::CommandInfo kArchiveCommands[] = {
@@ -795,36 +388,6 @@ constexpr char kArchiveDescription[] = R"json(
 }  // namespace shapes
 
 namespace suture {
-
-template <>
-Result<std::vector<std::byte>> encode(const shapes::Root& value) {
-  return rpc::encodeAs<shapes::wire::Root, shapes::RootSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, shapes::Root& value) {
-  return rpc::decodeAs<shapes::wire::Root, shapes::RootSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const shapes::Branch& value) {
-  return rpc::encodeAs<shapes::wire::Branch, shapes::BranchSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, shapes::Branch& value) {
-  return rpc::decodeAs<shapes::wire::Branch, shapes::BranchSlot>(bytes, value);
-}
-
-template <>
-Result<std::vector<std::byte>> encode(const shapes::Open& value) {
-  return rpc::encodeAs<shapes::wire::Open, shapes::OpenSlot>(value);
-}
-
-template <>
-Result<> decode(std::span<const std::byte> bytes, shapes::Open& value) {
-  return rpc::decodeAs<shapes::wire::Open, shapes::OpenSlot>(bytes, value);
-}
 
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Archive>() {

@@ -63,6 +63,10 @@ bool store(const Open& value, OpenSlot& slot);
 void load(const OpenSlot& slot, Open& value);
 void reserve(const OpenSlot*, Open& value);
 
+bool isValid(const RootSlot& slot, suture::FieldPath* path);
+bool isValid(const BranchSlot& slot, suture::FieldPath* path);
+bool isValid(const OpenSlot& slot, suture::FieldPath* path);
+
 // --- Archive: the arguments of its commands ---
 
 struct ArchivePutArguments {

@@ -1,5 +1,5 @@
 #pragma once
-// The generated header and the generated source share these parts.
+// Generated headers and sources share these parts.
 
 #include <initializer_list>
 #include <string>
@@ -30,6 +30,23 @@ void inNamespace(Code& code, const std::string& name, const EmitParts& emitParts
   code.verbatim(text.substr(0, text.size() - (text.ends_with(kInnerEnd) ? 1 : 0)));
   code.verbatim(closeNamespace(name)).blank();
 }
+
+/// Puts what `emitParts` writes into the unnamed namespace, and emits nothing if it writes nothing.
+template <class EmitParts>
+void hidden(Code& code, const EmitParts& emitParts) {
+  Code inner;
+  emitParts(inner);
+  if (inner.text().empty()) return;
+  code.line("namespace {").blank().verbatim(inner.text()).line("}  // namespace").blank();
+}
+
+/// Emits using-declarations of what the runtime overloads for its types, and the header's namespace
+/// for its own: a call must find both.
+void emitUsings(Code& code, std::initializer_list<const char*> names);
+
+/// Tells if anything of the header travels: then its schema has to be there.
+bool travels(const model::Header& header);
+bool hasPackedFields(const model::Header& header);
 
 /// Includes <suture/FOLDER/NAME.h> for each name.
 void includeAll(Code& code, const char* folder, std::initializer_list<const char*> names);

@@ -1,8 +1,11 @@
-#include "compiler/emit/wire/value_checks.h"
+#include "compiler/emit/cpp/value_checks.h"
 
+#include <set>
 #include <utility>
 
+#include "compiler/emit/cpp/validity.h"
 #include "compiler/emit/text/contract.h"
+#include "compiler/emit/text/enum_names.h"
 #include "compiler/emit/wire/wire_form.h"
 
 namespace suture::compiler::emit {
@@ -44,7 +47,46 @@ class Checks {
   bool close_ = false;  // to what follows
 };
 
+void emitEnumCheck(Code& code, const Context& context, const model::Enum& type) {
+  const EnumNames names(type, context.header.cxxNamespace);
+  code.open("bool ", enumCheck(type.name, context), "(", names.slot, " slot) {");
+  code.open("switch (", names.subject(), ") {");
+  std::set<std::int64_t> values;
+  for (const model::Enumerator& one : type.enumerators) {
+    if (!values.insert(one.value).second) continue;
+    code.line("case ", names.label(one), ":");
+  }
+  if (!values.empty()) code.line("  return true;");
+  code.close("}").line("return false;").close("}").blank();
+}
+
+std::string slotOf(const model::Struct& type, const Context& context) {
+  return relative(slotStruct(type.name, context.lookup), home(context));
+}
+
 }  // namespace
+
+void declareTypeChecks(Code& code, const Context& context) {
+  for (const model::Enum& type : context.header.enums) {
+    code.line("bool ", enumCheck(type.name, context), "(", cxxScalar(type.underlying), " slot);");
+  }
+  for (const model::Struct& type : context.header.structs) {
+    code.line("bool isValid(const ", slotOf(type, context), "& slot, ", kBreakText,
+              "suture::FieldPath* path);");
+  }
+  const bool any = !context.header.enums.empty() || !context.header.structs.empty();
+  if (any) code.blank();
+}
+
+void emitTypeChecks(Code& code, const Context& context) {
+  for (const model::Enum& type : context.header.enums) emitEnumCheck(code, context, type);
+  for (const model::Struct& type : context.header.structs) {
+    const std::vector<WireValue> values = fieldValues(type, context);
+    code.open("bool isValid(", validityParameters(slotOf(type, context), values, context), ") {");
+    emitValidity(code, values, context);
+    code.close("}").blank();
+  }
+}
 
 void emitValueChecks(Code& code, const Context& context, const model::Interface& interface) {
   Checks checks(code, context);

@@ -1,8 +1,24 @@
-#include "compiler/emit/cpp/file_parts.h"
+#include "compiler/emit/text/file_parts.h"
 
 #include <algorithm>
 
 namespace suture::compiler::emit {
+
+void emitUsings(Code& code, std::initializer_list<const char*> names) {
+  for (const char* const name : names) code.line("using suture::", name, ";");
+  code.blank();
+}
+
+bool travels(const model::Header& header) {
+  return !header.interfaces.empty() || !header.enums.empty() || !header.structs.empty();
+}
+
+bool hasPackedFields(const model::Header& header) {
+  const auto isPacked = [](const model::Field& field) { return field.isPacked; };
+  return std::any_of(header.structs.begin(), header.structs.end(), [&](const model::Struct& one) {
+    return std::any_of(one.fields.begin(), one.fields.end(), isPacked);
+  });
+}
 
 void includeAll(Code& code, const char* folder, std::initializer_list<const char*> names) {
   for (const char* const name : names) code.line("#include <suture/", folder, name, ".h>");

@@ -1,0 +1,2 @@
+// Written by suturec from 04_contract_and_loss/follower.h. Do not edit.
+// It declares nothing that travels.

@@ -1,0 +1,2 @@
+// Written by suturec from 06_one_arm/motion_display.h. Do not edit.
+// It declares nothing that travels.

@@ -1,0 +1,160 @@
+// Written by suturec from bench/block_loop.h. Do not edit.
+#include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
+#include <suture/wire/wire.h>
+
+#include "bench/block_loop.capnp.h"
+#include "bench/block_loop.suture.h"
+
+namespace bench {
+
+using suture::rpc::fromWire;
+using suture::rpc::toWire;
+
+// --- between slots and Cap'n Proto
+
+void toWire(const SmallBlockSlot& slot, wire::SmallBlock::Builder out) {
+  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
+}
+
+suture::Errc fromWire(wire::SmallBlock::Reader in, SmallBlockSlot& slot, suture::Duration) {
+  return fromWire(in.getBytes(), slot.bytes);
+}
+
+void toWire(const LargeBlockSlot& slot, wire::LargeBlock::Builder out) {
+  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
+}
+
+suture::Errc fromWire(wire::LargeBlock::Reader in, LargeBlockSlot& slot, suture::Duration) {
+  return fromWire(in.getBytes(), slot.bytes);
+}
+
+// --- SmallBlocks as Cap'n Proto
+
+namespace {
+
+void encodeSmallBlocksBounce(const SmallBlocksBounceArguments& slot,
+                             wire::SmallBlocks::BounceParams::Builder out) {
+  toWire(slot.block, out.initBlock());
+}
+suture::Errc decodeSmallBlocksBounce(wire::SmallBlocks::BounceParams::Reader in,
+                                     SmallBlocksBounceArguments& slot, suture::Duration shift) {
+  return in.hasBlock() ? fromWire(in.getBlock(), slot.block, shift) : suture::Errc::Invalid;
+}
+
+void encodeSmallBlocksEchoEvent(const SmallBlockSlot& slot,
+                                wire::SmallBlocksEvents::EchoParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+suture::Errc decodeSmallBlocksEchoEvent(wire::SmallBlocksEvents::EchoParams::Reader in,
+                                        SmallBlockSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
+}
+
+constexpr suture::rpc::CommandCodec kSmallBlocksCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::SmallBlocks>(),
+     .method = 1,
+     .sent = suture::rpc::sentIn<wire::SmallBlocks::BounceParams>,
+     .arguments = suture::rpc::messageOf<wire::SmallBlocks::BounceParams,
+                                         SmallBlocksBounceArguments, encodeSmallBlocksBounce,
+                                         decodeSmallBlocksBounce>},
+};
+
+constexpr suture::rpc::EventCodec kSmallBlocksEventCodecs[] = {
+    {.method = 1,
+     .stamp = suture::rpc::stampIn<wire::SmallBlocksEvents::EchoParams>,
+     .payload = suture::rpc::messageOf<wire::SmallBlocksEvents::EchoParams, SmallBlockSlot,
+                                       encodeSmallBlocksEchoEvent, decodeSmallBlocksEchoEvent>},
+};
+
+}  // namespace
+
+const suture::rpc::Codec& smallBlocksCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::SmallBlocks>,
+      .contract = capnp::typeId<wire::SmallBlocks>(),
+      .subscriber = capnp::typeId<wire::SmallBlocksEvents>(),
+      .commands = kSmallBlocksCommandCodecs,
+      .events = kSmallBlocksEventCodecs,
+      .row = suture::rpc::rowOf<wire::SmallBlocksEvents::StateParams, wire::SmallBlocksStateRow>,
+  };
+  return kCodec;
+}
+
+// --- LargeBlocks as Cap'n Proto
+
+namespace {
+
+void encodeLargeBlocksBounce(const LargeBlocksBounceArguments& slot,
+                             wire::LargeBlocks::BounceParams::Builder out) {
+  toWire(slot.block, out.initBlock());
+}
+suture::Errc decodeLargeBlocksBounce(wire::LargeBlocks::BounceParams::Reader in,
+                                     LargeBlocksBounceArguments& slot, suture::Duration shift) {
+  return in.hasBlock() ? fromWire(in.getBlock(), slot.block, shift) : suture::Errc::Invalid;
+}
+
+void encodeLargeBlocksEchoEvent(const LargeBlockSlot& slot,
+                                wire::LargeBlocksEvents::EchoParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+suture::Errc decodeLargeBlocksEchoEvent(wire::LargeBlocksEvents::EchoParams::Reader in,
+                                        LargeBlockSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
+}
+
+constexpr suture::rpc::CommandCodec kLargeBlocksCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::LargeBlocks>(),
+     .method = 1,
+     .sent = suture::rpc::sentIn<wire::LargeBlocks::BounceParams>,
+     .arguments = suture::rpc::messageOf<wire::LargeBlocks::BounceParams,
+                                         LargeBlocksBounceArguments, encodeLargeBlocksBounce,
+                                         decodeLargeBlocksBounce>},
+};
+
+constexpr suture::rpc::EventCodec kLargeBlocksEventCodecs[] = {
+    {.method = 1,
+     .stamp = suture::rpc::stampIn<wire::LargeBlocksEvents::EchoParams>,
+     .payload = suture::rpc::messageOf<wire::LargeBlocksEvents::EchoParams, LargeBlockSlot,
+                                       encodeLargeBlocksEchoEvent, decodeLargeBlocksEchoEvent>},
+};
+
+}  // namespace
+
+const suture::rpc::Codec& largeBlocksCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::LargeBlocks>,
+      .contract = capnp::typeId<wire::LargeBlocks>(),
+      .subscriber = capnp::typeId<wire::LargeBlocksEvents>(),
+      .commands = kLargeBlocksCommandCodecs,
+      .events = kLargeBlocksEventCodecs,
+      .row = suture::rpc::rowOf<wire::LargeBlocksEvents::StateParams, wire::LargeBlocksStateRow>,
+  };
+  return kCodec;
+}
+
+}  // namespace bench
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const bench::SmallBlock& value) {
+  return rpc::encodeAs<bench::wire::SmallBlock, bench::SmallBlockSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, bench::SmallBlock& value) {
+  return rpc::decodeAs<bench::wire::SmallBlock, bench::SmallBlockSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const bench::LargeBlock& value) {
+  return rpc::encodeAs<bench::wire::LargeBlock, bench::LargeBlockSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, bench::LargeBlock& value) {
+  return rpc::decodeAs<bench::wire::LargeBlock, bench::LargeBlockSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,0 +1,126 @@
+// Written by suturec from bench/loop.h. Do not edit.
+#include <suture/wire/codec.h>
+#include <suture/wire/wire.h>
+
+#include "bench/loop.capnp.h"
+#include "bench/loop.suture.h"
+
+// Defined in robot_types/pose.wire.cpp.
+namespace robots {
+void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out);
+suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift);
+}  // namespace robots
+
+namespace bench {
+
+using suture::rpc::fromWire;
+using suture::rpc::toWire;
+
+// --- LoopServer as Cap'n Proto
+
+namespace {
+
+void encodeLoopServerPut(const LoopServerPutArguments& slot,
+                         wire::LoopServer::PutParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+suture::Errc decodeLoopServerPut(wire::LoopServer::PutParams::Reader in,
+                                 LoopServerPutArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
+}
+
+void encodeLoopServerBounce(const LoopServerBounceArguments& slot,
+                            wire::LoopServer::BounceParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+suture::Errc decodeLoopServerBounce(wire::LoopServer::BounceParams::Reader in,
+                                    LoopServerBounceArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
+}
+
+void encodeLoopServerValueResult(const robots::PosePrmSlot& slot,
+                                 wire::LoopServer::ValueResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+suture::Errc decodeLoopServerValueResult(wire::LoopServer::ValueResults::Reader in,
+                                         robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
+}
+
+void encodeLoopServerEchoEvent(const robots::PosePrmSlot& slot,
+                               wire::LoopServerEvents::EchoParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+suture::Errc decodeLoopServerEchoEvent(wire::LoopServerEvents::EchoParams::Reader in,
+                                       robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
+}
+
+void encodeLoopServerValueColumn(const robots::PosePrmSlot& slot,
+                                 wire::LoopServerStateRow::Builder out) {
+  toWire(slot, out.initValue());
+}
+suture::Errc decodeLoopServerValueColumn(wire::LoopServerStateRow::Reader in,
+                                         robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
+void encodeLoopServerColumn(unsigned column, const std::byte* memory,
+                            wire::LoopServerStateRow::Builder out) {
+  switch (static_cast<LoopServerColumn>(column)) {
+    case LoopServerColumn::value:
+      return encodeLoopServerValueColumn(suture::slotIn<robots::PosePrmSlot>(memory), out);
+  }
+}
+suture::Errc decodeLoopServerColumn(wire::LoopServerStateRow::Reader in, unsigned column,
+                                    std::byte* memory, suture::Duration shift) {
+  switch (static_cast<LoopServerColumn>(column)) {
+    case LoopServerColumn::value:
+      return decodeLoopServerValueColumn(in, suture::newSlot<robots::PosePrmSlot>(memory), shift);
+  }
+  return suture::Errc::Invalid;
+}
+
+constexpr suture::rpc::CommandCodec kLoopServerCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::LoopServer>(),
+     .method = 1,
+     .sent = suture::rpc::sentIn<wire::LoopServer::PutParams>,
+     .arguments = suture::rpc::messageOf<wire::LoopServer::PutParams, LoopServerPutArguments,
+                                         encodeLoopServerPut, decodeLoopServerPut>},
+    {.interface = capnp::typeId<wire::LoopServer>(),
+     .method = 2,
+     .sent = suture::rpc::sentIn<wire::LoopServer::BounceParams>,
+     .arguments = suture::rpc::messageOf<wire::LoopServer::BounceParams, LoopServerBounceArguments,
+                                         encodeLoopServerBounce, decodeLoopServerBounce>},
+    {.interface = capnp::typeId<wire::LoopServer>(),
+     .method = 3,
+     .sent = suture::rpc::sentIn<wire::LoopServer::ValueParams>,
+     .result = suture::rpc::messageOf<wire::LoopServer::ValueResults, robots::PosePrmSlot,
+                                      encodeLoopServerValueResult, decodeLoopServerValueResult>,
+     .stamp = suture::rpc::stampIn<wire::LoopServer::ValueResults>},
+};
+
+constexpr suture::rpc::EventCodec kLoopServerEventCodecs[] = {
+    {.method = 1,
+     .stamp = suture::rpc::stampIn<wire::LoopServerEvents::EchoParams>,
+     .payload = suture::rpc::messageOf<wire::LoopServerEvents::EchoParams, robots::PosePrmSlot,
+                                       encodeLoopServerEchoEvent, decodeLoopServerEchoEvent>},
+};
+
+}  // namespace
+
+const suture::rpc::Codec& loopServerCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::LoopServer>,
+      .contract = capnp::typeId<wire::LoopServer>(),
+      .subscriber = capnp::typeId<wire::LoopServerEvents>(),
+      .commands = kLoopServerCommandCodecs,
+      .events = kLoopServerEventCodecs,
+      .row = suture::rpc::rowOf<wire::LoopServerEvents::StateParams, wire::LoopServerStateRow,
+                                encodeLoopServerColumn, decodeLoopServerColumn>,
+  };
+  return kCodec;
+}
+
+}  // namespace bench

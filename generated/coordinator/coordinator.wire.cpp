@@ -1,0 +1,41 @@
+// Written by suturec from coordinator/coordinator.h. Do not edit.
+#include <suture/wire/flat.h>
+#include <suture/wire/wire.h>
+
+#include "coordinator/coordinator.capnp.h"
+#include "coordinator/coordinator.suture.h"
+
+namespace robots {
+
+using suture::rpc::fromWire;
+using suture::rpc::toWire;
+
+// --- between slots and Cap'n Proto
+
+void toWire(const CoordinatorParametersSlot& slot, wire::CoordinatorParameters::Builder out) {
+  out.setPeriod(slot.period);
+}
+
+suture::Errc fromWire(wire::CoordinatorParameters::Reader in, CoordinatorParametersSlot& slot,
+                      suture::Duration) {
+  slot.period = in.getPeriod();
+  return suture::Errc{};
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CoordinatorParameters& value) {
+  return rpc::encodeAs<robots::wire::CoordinatorParameters,
+                       robots::CoordinatorParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CoordinatorParameters& value) {
+  return rpc::decodeAs<robots::wire::CoordinatorParameters,
+                       robots::CoordinatorParametersSlot>(bytes, value);
+}
+
+}  // namespace suture

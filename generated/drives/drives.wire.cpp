@@ -1,0 +1,209 @@
+// Written by suturec from drives/drives.h. Do not edit.
+#include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
+#include <suture/wire/wire.h>
+
+#include "drives/drives.capnp.h"
+#include "drives/drives.suture.h"
+
+namespace robots {
+
+using suture::rpc::fromWire;
+using suture::rpc::toWire;
+
+// --- between slots and Cap'n Proto
+
+wire::DrivePower wireDrivePower(std::uint8_t slot) {
+  switch (static_cast<DrivePower>(slot)) {
+    case DrivePower::NotReady: return wire::DrivePower::NOT_READY;
+    case DrivePower::Stopped: return wire::DrivePower::STOPPED;
+    case DrivePower::Off: return wire::DrivePower::OFF;
+    case DrivePower::On: return wire::DrivePower::ON;
+  }
+  return wire::DrivePower{};
+}
+
+suture::Errc fromWire(wire::DrivePower in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::DrivePower::NOT_READY: return slot =
+        static_cast<std::uint8_t>(DrivePower::NotReady), suture::Errc{};
+    case wire::DrivePower::STOPPED: return slot =
+        static_cast<std::uint8_t>(DrivePower::Stopped), suture::Errc{};
+    case wire::DrivePower::OFF: return slot =
+        static_cast<std::uint8_t>(DrivePower::Off), suture::Errc{};
+    case wire::DrivePower::ON: return slot =
+        static_cast<std::uint8_t>(DrivePower::On), suture::Errc{};
+  }
+  return suture::Errc::Invalid;
+}
+
+void toWire(const DriveFeedbackSlot& slot, wire::DriveFeedback::Builder out) {
+  toWire(slot.position, out.initPosition(8));
+  toWire(slot.velocity, out.initVelocity(8));
+  out.setJoints(slot.joints);
+  out.setPower(wireDrivePower(slot.power));
+  out.setPermitted(slot.permitted);
+  out.setStamp(slot.stamp);
+  toWire(slot.effort, out.initEffort(8));
+  out.setMeasuresEffort(slot.measures_effort != 0);
+}
+
+suture::Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot,
+                      suture::Duration shift) {
+  slot.joints = in.getJoints();
+  slot.permitted = suture::rpc::shifted(in.getPermitted(), shift);
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.measures_effort = in.getMeasuresEffort();
+  return suture::rpc::firstError({
+      fromWire(in.getPosition(), slot.position),
+      fromWire(in.getVelocity(), slot.velocity),
+      fromWire(in.getPower(), slot.power),
+      fromWire(in.getEffort(), slot.effort),
+  });
+}
+
+void toWire(const DriveGoalSlot& slot, wire::DriveGoal::Builder out) {
+  toWire(slot.position, out.initPosition(8));
+  out.setJoints(slot.joints);
+}
+
+suture::Errc fromWire(wire::DriveGoal::Reader in, DriveGoalSlot& slot, suture::Duration) {
+  slot.joints = in.getJoints();
+  return fromWire(in.getPosition(), slot.position);
+}
+
+// --- Drives as Cap'n Proto
+
+namespace {
+
+void encodeDrivesPowerOn(const DrivesPowerOnArguments& slot,
+                         wire::Drives::PowerOnParams::Builder out) {
+  out.setPermitted(slot.permitted);
+}
+suture::Errc decodeDrivesPowerOn(wire::Drives::PowerOnParams::Reader in,
+                                 DrivesPowerOnArguments& slot, suture::Duration shift) {
+  slot.permitted = suture::rpc::shifted(in.getPermitted(), shift);
+  return suture::Errc{};
+}
+
+void encodeDrivesServoJp(const DrivesServoJpArguments& slot,
+                         wire::Drives::ServoJpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+suture::Errc decodeDrivesServoJp(wire::Drives::ServoJpParams::Reader in,
+                                 DrivesServoJpArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
+}
+
+void encodeDrivesFeedbackResult(const DriveFeedbackSlot& slot,
+                                wire::Drives::FeedbackResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+suture::Errc decodeDrivesFeedbackResult(wire::Drives::FeedbackResults::Reader in,
+                                        DriveFeedbackSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
+}
+
+void encodeDrivesPowerEvent(const std::uint8_t& slot,
+                            wire::DrivesEvents::PowerParams::Builder out) {
+  out.setValue(wireDrivePower(slot));
+}
+suture::Errc decodeDrivesPowerEvent(wire::DrivesEvents::PowerParams::Reader in, std::uint8_t& slot,
+                                    suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeDrivesFeedbackColumn(const DriveFeedbackSlot& slot, wire::DrivesStateRow::Builder out) {
+  toWire(slot, out.initFeedback());
+}
+suture::Errc decodeDrivesFeedbackColumn(wire::DrivesStateRow::Reader in, DriveFeedbackSlot& slot,
+                                        suture::Duration shift) {
+  return in.hasFeedback() ? fromWire(in.getFeedback(), slot, shift) : suture::Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
+void encodeDrivesColumn(unsigned column, const std::byte* memory,
+                        wire::DrivesStateRow::Builder out) {
+  switch (static_cast<DrivesColumn>(column)) {
+    case DrivesColumn::feedback:
+      return encodeDrivesFeedbackColumn(suture::slotIn<DriveFeedbackSlot>(memory), out);
+  }
+}
+suture::Errc decodeDrivesColumn(wire::DrivesStateRow::Reader in, unsigned column, std::byte* memory,
+                                suture::Duration shift) {
+  switch (static_cast<DrivesColumn>(column)) {
+    case DrivesColumn::feedback:
+      return decodeDrivesFeedbackColumn(in, suture::newSlot<DriveFeedbackSlot>(memory), shift);
+  }
+  return suture::Errc::Invalid;
+}
+
+constexpr suture::rpc::CommandCodec kDrivesCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Drives>(),
+     .method = 1,
+     .sent = suture::rpc::sentIn<wire::Drives::PowerOnParams>,
+     .arguments = suture::rpc::messageOf<wire::Drives::PowerOnParams, DrivesPowerOnArguments,
+                                         encodeDrivesPowerOn, decodeDrivesPowerOn>},
+    {.interface = capnp::typeId<wire::Drives>(),
+     .method = 2,
+     .sent = suture::rpc::sentIn<wire::Drives::PowerOffParams>},
+    {.interface = capnp::typeId<wire::Drives>(),
+     .method = 3,
+     .sent = suture::rpc::sentIn<wire::Drives::ServoJpParams>,
+     .arguments = suture::rpc::messageOf<wire::Drives::ServoJpParams, DrivesServoJpArguments,
+                                         encodeDrivesServoJp, decodeDrivesServoJp>},
+    {.interface = capnp::typeId<wire::Drives>(),
+     .method = 4,
+     .sent = suture::rpc::sentIn<wire::Drives::FeedbackParams>,
+     .result = suture::rpc::messageOf<wire::Drives::FeedbackResults, DriveFeedbackSlot,
+                                      encodeDrivesFeedbackResult, decodeDrivesFeedbackResult>,
+     .stamp = suture::rpc::stampIn<wire::Drives::FeedbackResults>},
+};
+
+constexpr suture::rpc::EventCodec kDrivesEventCodecs[] = {
+    {.method = 1,
+     .stamp = suture::rpc::stampIn<wire::DrivesEvents::PowerParams>,
+     .payload = suture::rpc::messageOf<wire::DrivesEvents::PowerParams, std::uint8_t,
+                                       encodeDrivesPowerEvent, decodeDrivesPowerEvent>},
+};
+
+}  // namespace
+
+const suture::rpc::Codec& drivesCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Drives>,
+      .contract = capnp::typeId<wire::Drives>(),
+      .subscriber = capnp::typeId<wire::DrivesEvents>(),
+      .commands = kDrivesCommandCodecs,
+      .events = kDrivesEventCodecs,
+      .row = suture::rpc::rowOf<wire::DrivesEvents::StateParams, wire::DrivesStateRow,
+                                encodeDrivesColumn, decodeDrivesColumn>,
+  };
+  return kCodec;
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::DriveFeedback& value) {
+  return rpc::encodeAs<robots::wire::DriveFeedback, robots::DriveFeedbackSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::DriveFeedback& value) {
+  return rpc::decodeAs<robots::wire::DriveFeedback, robots::DriveFeedbackSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::DriveGoal& value) {
+  return rpc::encodeAs<robots::wire::DriveGoal, robots::DriveGoalSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::DriveGoal& value) {
+  return rpc::decodeAs<robots::wire::DriveGoal, robots::DriveGoalSlot>(bytes, value);
+}
+
+}  // namespace suture

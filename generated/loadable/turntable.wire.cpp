@@ -1,0 +1,91 @@
+// Written by suturec from loadable/turntable.h. Do not edit.
+#include <suture/wire/codec.h>
+#include <suture/wire/wire.h>
+
+#include "loadable/turntable.capnp.h"
+#include "loadable/turntable.suture.h"
+
+namespace loadable {
+
+using suture::rpc::fromWire;
+using suture::rpc::toWire;
+
+// --- Turntable as Cap'n Proto
+
+namespace {
+
+void encodeTurntableTurn(const TurntableTurnArguments& slot,
+                         wire::Turntable::TurnParams::Builder out) {
+  out.setAngle(slot.angle);
+}
+suture::Errc decodeTurntableTurn(wire::Turntable::TurnParams::Reader in,
+                                 TurntableTurnArguments& slot, suture::Duration) {
+  slot.angle = in.getAngle();
+  return suture::Errc{};
+}
+
+void encodeTurntableAngleResult(const double& slot, wire::Turntable::AngleResults::Builder out) {
+  out.setValue(slot);
+}
+suture::Errc decodeTurntableAngleResult(wire::Turntable::AngleResults::Reader in, double& slot,
+                                        suture::Duration) {
+  slot = in.getValue();
+  return suture::Errc{};
+}
+
+void encodeTurntableAngleColumn(const double& slot, wire::TurntableStateRow::Builder out) {
+  out.setAngle(slot);
+}
+suture::Errc decodeTurntableAngleColumn(wire::TurntableStateRow::Reader in, double& slot,
+                                        suture::Duration) {
+  slot = in.getAngle();
+  return suture::Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
+void encodeTurntableColumn(unsigned column, const std::byte* memory,
+                           wire::TurntableStateRow::Builder out) {
+  switch (static_cast<TurntableColumn>(column)) {
+    case TurntableColumn::angle:
+      return encodeTurntableAngleColumn(suture::slotIn<double>(memory), out);
+  }
+}
+suture::Errc decodeTurntableColumn(wire::TurntableStateRow::Reader in, unsigned column,
+                                   std::byte* memory, suture::Duration shift) {
+  switch (static_cast<TurntableColumn>(column)) {
+    case TurntableColumn::angle:
+      return decodeTurntableAngleColumn(in, suture::newSlot<double>(memory), shift);
+  }
+  return suture::Errc::Invalid;
+}
+
+constexpr suture::rpc::CommandCodec kTurntableCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Turntable>(),
+     .method = 1,
+     .sent = suture::rpc::sentIn<wire::Turntable::TurnParams>,
+     .arguments = suture::rpc::messageOf<wire::Turntable::TurnParams, TurntableTurnArguments,
+                                         encodeTurntableTurn, decodeTurntableTurn>},
+    {.interface = capnp::typeId<wire::Turntable>(),
+     .method = 2,
+     .sent = suture::rpc::sentIn<wire::Turntable::AngleParams>,
+     .result = suture::rpc::messageOf<wire::Turntable::AngleResults, double,
+                                      encodeTurntableAngleResult, decodeTurntableAngleResult>,
+     .stamp = suture::rpc::stampIn<wire::Turntable::AngleResults>},
+};
+
+}  // namespace
+
+const suture::rpc::Codec& turntableCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Turntable>,
+      .contract = capnp::typeId<wire::Turntable>(),
+      .subscriber = capnp::typeId<wire::TurntableEvents>(),
+      .commands = kTurntableCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::TurntableEvents::StateParams, wire::TurntableStateRow,
+                                encodeTurntableColumn, decodeTurntableColumn>,
+  };
+  return kCodec;
+}
+
+}  // namespace loadable

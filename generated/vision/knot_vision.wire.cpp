@@ -1,0 +1,116 @@
+// Written by suturec from vision/knot_vision.h. Do not edit.
+#include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
+#include <suture/wire/wire.h>
+
+#include "vision/knot_vision.capnp.h"
+#include "vision/knot_vision.suture.h"
+
+namespace robots {
+
+using suture::rpc::fromWire;
+using suture::rpc::toWire;
+
+// --- between slots and Cap'n Proto
+
+void toWire(const KnotSightingSlot& slot, wire::KnotSighting::Builder out) {
+  toWire(slot.knot, out.initKnot());
+  toWire(slot.left_tip, out.initLeftTip());
+  toWire(slot.right_tip, out.initRightTip());
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+suture::Errc fromWire(wire::KnotSighting::Reader in, KnotSightingSlot& slot,
+                      suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return suture::rpc::firstError({
+      in.hasKnot() ? fromWire(in.getKnot(), slot.knot)
+          : suture::rpc::fromDefault(KnotSighting().knot, slot.knot),
+      in.hasLeftTip() ? fromWire(in.getLeftTip(), slot.left_tip)
+          : suture::rpc::fromDefault(KnotSighting().left_tip, slot.left_tip),
+      in.hasRightTip() ? fromWire(in.getRightTip(), slot.right_tip)
+          : suture::rpc::fromDefault(KnotSighting().right_tip, slot.right_tip),
+  });
+}
+
+// --- KnotVision as Cap'n Proto
+
+namespace {
+
+void encodeKnotVisionSightingResult(const KnotSightingSlot& slot,
+                                    wire::KnotVision::SightingResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+suture::Errc decodeKnotVisionSightingResult(wire::KnotVision::SightingResults::Reader in,
+                                            KnotSightingSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
+}
+
+void encodeKnotVisionSightingColumn(const KnotSightingSlot& slot,
+                                    wire::KnotVisionStateRow::Builder out) {
+  toWire(slot, out.initSighting());
+}
+suture::Errc decodeKnotVisionSightingColumn(wire::KnotVisionStateRow::Reader in,
+                                            KnotSightingSlot& slot, suture::Duration shift) {
+  return in.hasSighting() ? fromWire(in.getSighting(), slot, shift) : suture::Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
+void encodeKnotVisionColumn(unsigned column, const std::byte* memory,
+                            wire::KnotVisionStateRow::Builder out) {
+  switch (static_cast<KnotVisionColumn>(column)) {
+    case KnotVisionColumn::sighting:
+      return encodeKnotVisionSightingColumn(suture::slotIn<KnotSightingSlot>(memory), out);
+  }
+}
+suture::Errc decodeKnotVisionColumn(wire::KnotVisionStateRow::Reader in, unsigned column,
+                                    std::byte* memory, suture::Duration shift) {
+  switch (static_cast<KnotVisionColumn>(column)) {
+    case KnotVisionColumn::sighting:
+      return decodeKnotVisionSightingColumn(in, suture::newSlot<KnotSightingSlot>(memory), shift);
+  }
+  return suture::Errc::Invalid;
+}
+
+constexpr suture::rpc::CommandCodec kKnotVisionCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::KnotVision>(),
+     .method = 1,
+     .sent = suture::rpc::sentIn<wire::KnotVision::SightingParams>,
+     .result = suture::rpc::messageOf<wire::KnotVision::SightingResults, KnotSightingSlot,
+                                      encodeKnotVisionSightingResult,
+                                      decodeKnotVisionSightingResult>,
+     .stamp = suture::rpc::stampIn<wire::KnotVision::SightingResults>},
+};
+
+}  // namespace
+
+const suture::rpc::Codec& knotVisionCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::KnotVision>,
+      .contract = capnp::typeId<wire::KnotVision>(),
+      .subscriber = capnp::typeId<wire::KnotVisionEvents>(),
+      .commands = kKnotVisionCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::KnotVisionEvents::StateParams, wire::KnotVisionStateRow,
+                                encodeKnotVisionColumn, decodeKnotVisionColumn>,
+  };
+  return kCodec;
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::KnotSighting& value) {
+  return rpc::encodeAs<robots::wire::KnotSighting, robots::KnotSightingSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::KnotSighting& value) {
+  return rpc::decodeAs<robots::wire::KnotSighting, robots::KnotSightingSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,0 +1,42 @@
+// Written by suturec from robots/geometry.h. Do not edit.
+#include <suture/wire/flat.h>
+#include <suture/wire/wire.h>
+
+#include "robots/geometry.capnp.h"
+#include "robots/geometry.suture.h"
+
+namespace robots {
+
+using suture::rpc::fromWire;
+using suture::rpc::toWire;
+
+// --- between slots and Cap'n Proto
+
+void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
+  toWire(slot.pose, out.initPose());
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return in.hasPose() ? fromWire(in.getPose(), slot.pose)
+      : suture::rpc::fromDefault(PoseStamped().pose, slot.pose);
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PoseStamped& value) {
+  return rpc::encodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PoseStamped& value) {
+  return rpc::decodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(bytes, value);
+}
+
+}  // namespace suture
