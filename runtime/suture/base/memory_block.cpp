@@ -45,7 +45,7 @@ void MemoryBlock::seal(const char* name, Others others) {
 
 std::shared_ptr<MemoryBlock> MemoryBlock::open(int descriptor, std::size_t size, Others others) {
   const int seals = fcntl(descriptor, F_GET_SEALS);
-  if (seals < 0) refuse("it is none");
+  if (seals < 0) refuse("it is no sealed memory");
   if ((seals & kFixedSize) != kFixedSize) refuse("it may shrink");
   struct stat status {};
   if (fstat(descriptor, &status) != 0 || static_cast<std::size_t>(status.st_size) < size) {

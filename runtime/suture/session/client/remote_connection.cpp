@@ -146,10 +146,14 @@ kj::Promise<void> RemoteConnection::ask(std::size_t lane) {
 
 kj::Promise<void> RemoteConnection::askNext(std::size_t lane) {
   if (!options_.laneRequired && lane < lanes_.size()) return ask(lane);
-  const std::string what = options_.laneRequired ? "lane '" + std::string(options_.lane.name) +
-                                                       "' is required and cannot carry it: "
-                                                 : "no lane can carry it. The last says: ";
-  return rpc::failure(Type::FAILED, "connecting " + name() + ": " + what + laneReason_ + ".");
+  const std::string asked = "connecting " + name() + ": ";
+  if (options_.laneRequired) {
+    return rpc::failure(Type::FAILED, asked + "lane '" + std::string(options_.lane.name) +
+                                          "' is required and cannot carry it: " + laneReason_ +
+                                          ". Remove the reason, or let it have any lane.");
+  }
+  return rpc::failure(Type::FAILED, asked + "no lane can carry it. The last says: " + laneReason_ +
+                                        ". Remove the reason, or add a lane that can.");
 }
 
 kj::Promise<kj::Maybe<std::string>> RemoteConnection::attempt(LaneClient& lane, const char* name) {
