@@ -5,6 +5,7 @@
 #include <suture/deploy/document/json_document.h>
 #include <suture/names/global_manager.h>
 #include <suture/net/tls/keys.h>
+#include "cli/text/error_pages.h"
 #include "cli/text/screen.h"
 #include "cli/verbs.h"
 
@@ -113,6 +114,8 @@ int report(const std::string& error, bool json, int status) {
     printJson({{"error", error}});
   } else {
     std::fprintf(stderr, "suture: %s\n", suture::plain(error).c_str());
+    const std::string why = whatToAsk(error);
+    if (!why.empty()) std::fprintf(stderr, "suture: `%s` tells more\n", why.c_str());
   }
   return status;
 }

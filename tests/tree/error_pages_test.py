@@ -1,5 +1,5 @@
 """docs/errors has what a user can meet: for each enumerator of suture::Errc one page, and one row in the README's table,
-both with the text of toString(). What its page on set-up says of messages is in the sources.
+both with the text of toString(). Its pages on set-up have a row for each message that the sources make, and no other.
 
   error_pages_test.py ROOT      checks that tree, and that violations planted in a small one are found
 """
@@ -10,9 +10,11 @@ import sys
 import tempfile
 import unittest
 
+import error_sites
+
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
 MAX_LINES = 40
-SET_UP = "set-up.md"
+SET_UP = "set-up"  # is how the names of those pages begin
 
 
 def enumerators(root):
@@ -36,13 +38,25 @@ def rows(readme):
     return re.findall(r"^\| \[(\w+)\]\(([^)]*)\) \| (.*?) \|", readme, re.M)
 
 
-def unknown_messages(root, page):
-    """Yields each row of the page whose first cell, `...` standing for anything, is in no source of the runtime."""
-    sources = (path.read_text(encoding="utf-8") for path in (root / "runtime").rglob("*") if path.suffix in (".cpp", ".h"))
-    text = re.sub(r'"\s*"', "", "".join(sources))
-    for row in re.findall(r"^\| `([^`]*)` \|", page, re.M):
-        if not all(part.strip() in text for part in row.split("...")):
-            yield f"docs/errors/{SET_UP}: no source says '{row}'"
+def unknown_messages(root, pages):
+    """Yields each row's message, `...` standing for anything, that is in no source."""
+    sources = (path.read_text(encoding="utf-8")
+               for folder in error_sites.FOLDERS for path in (root / folder).rglob("*") if path.suffix in (".cpp", ".h"))
+    text = re.sub(r'"\s*"', "", "".join(sources)).replace('\\"', '"')
+    for name, page in pages:
+        for pattern in error_sites.patterns(page):
+            if max(map(len, pattern.split("..."))) < error_sites.LEAST:
+                yield f"docs/errors/{name}: too many messages have '{pattern}'"
+            if not all(part.strip(" :.") in text for part in pattern.split("...")):
+                yield f"docs/errors/{name}: no source says '{pattern}'"
+
+
+def missing_messages(root, pages):
+    """Yields each place that makes a message which no row explains."""
+    patterns = [pattern for _, page in pages for pattern in error_sites.patterns(page)]
+    for file, line, words in error_sites.sites(root):
+        if not any(error_sites.has_parts(words, pattern) for pattern in patterns):
+            yield f"{file}:{line}: no row of docs/errors/{SET_UP}-*.md explains '{words}'"
 
 
 def violations(root):
@@ -64,14 +78,16 @@ def violations(root):
         found = [row for row in rows(readme) if row[0] == name]
         if found != [(name, page, text_of.get(name))]:
             yield f"docs/errors/README.md: one row has to begin with | [{name}]({page}) | {text_of.get(name)} |, found {found}"
-    for page in sorted(pages.keys() - {page_of(name) for name in names} - {"README.md", SET_UP}):
+    set_up = sorted((name, page) for name, page in pages.items() if name.startswith(SET_UP))
+    for page in sorted(pages.keys() - {page_of(name) for name in names} - {"README.md"} - {name for name, _ in set_up}):
         yield f"docs/errors/{page} explains what no enumerator is"
     for name, _, _ in rows(readme):
         if name not in names:
             yield f"docs/errors/README.md has a row for {name}, which no enumerator is"
-    yield from unknown_messages(root, pages.get(SET_UP, ""))
+    yield from unknown_messages(root, set_up)
+    yield from missing_messages(root, set_up)
     for page, text in sorted(pages.items()):
-        if page != SET_UP and text.count("\n") > MAX_LINES:
+        if not page.startswith(SET_UP) and text.count("\n") > MAX_LINES:
             yield f"docs/errors/{page}: more than {MAX_LINES} lines"
 
 
@@ -129,9 +145,22 @@ class Planted(unittest.TestCase):
         self.expect("too-new.md explains what no enumerator is")
 
     def test_a_message_that_no_source_has(self):
-        self.write("runtime/suture/net/address.cpp", 'refuse(text, "it has "\n    "no path");\n')
-        self.write("docs/errors/set-up.md", "| `it has no path` | so | do |\n| `it has ... port` | so | do |\n")
-        self.expect("no source says 'it has ... port'")
+        self.write("runtime/suture/net/address.cpp", 'refuse(text, "it has "\n    "no path", "Write one");\n')
+        self.write("docs/errors/set-up-net.md", "| `it has no path` | so | do |\n| `it has ... no port at all` or `it has` | so | do |\n")
+        self.expect("no source says 'it has ... no port at all'", "too many messages have 'it has'")
+
+    def test_a_message_without_a_row(self):
+        self.write("docs/errors/set-up.md", "| `it has more ... of ...` or `there are no` | so | do |\n")
+        self.write("runtime/a.cpp", 'throw SetupError("use " + name,\n  "it has more " + count + " of " + most,  // "not this"\n  "Give less");\n'
+                                    'throw SetupError("use " + name, "there are too many: " + count, "Give less");\n'
+                                    'throw SetupError("there are no " + name, std::strerror(errno), "Raise it");\n'
+                                    'throw SetupError(failure.what());\n')
+        self.write("components/b.h", 'throw SetupError("open", isFile ? "there are no folders" : "it is a folder", "Close it");\n'
+                                     'refuse(place, "it has a place", "Mend it");\nreturn {Kind::LIMIT_REACHED, "it is full; stop some"};\n')
+        self.expect("runtime/a.cpp:4: no row of docs/errors/set-up-*.md explains 'there are too many: ...'",
+                    "components/b.h:1: no row of docs/errors/set-up-*.md explains 'it is a folder'",
+                    "components/b.h:2: no row of docs/errors/set-up-*.md explains 'it has a place. Mend it'",
+                    "components/b.h:3: no row of docs/errors/set-up-*.md explains 'it is full; stop some'")
 
     def test_a_row_that_is_left_over(self):
         self.edit("docs/errors/README.md", "| [TooOld]", "| [TooNew](too-new.md) | too new | no |\n| [TooOld]")

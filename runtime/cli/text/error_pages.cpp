@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <vector>
 
 namespace suture::cli {
@@ -33,31 +32,58 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
   return cells;
 }
 
-/// Tells if `words` have the parts of "`it is still ...`", one behind the other.
-bool hasParts(std::string_view words, std::string_view found) {
+/// Tells if `words` have the parts of "it is still ...", one behind the other.
+bool hasParts(std::string_view words, std::string_view pattern) {
   constexpr std::string_view kAny = "...";
-  found = found.substr(1, found.size() - 2);  // without its quotes
-  while (!found.empty()) {
-    const std::size_t end = std::min(found.find(kAny), found.size());
-    const std::size_t at = words.find(found.substr(0, end));
+  while (!pattern.empty()) {
+    const std::size_t end = std::min(pattern.find(kAny), pattern.size());
+    const std::size_t at = words.find(pattern.substr(0, end));
     if (at == std::string_view::npos) return false;
     words.remove_prefix(at + end);
-    found.remove_prefix(std::min(end + kAny.size(), found.size()));
+    pattern.remove_prefix(std::min(end + kAny.size(), pattern.size()));
   }
   return true;
 }
 
+/// Returns that of the patterns of "`it is still ...` or `it is ...`" which `words` have, or "".
+std::string_view patternIn(std::string_view cell, std::string_view words) {
+  constexpr std::string_view kNext = "` or `";
+  cell = cell.substr(1, cell.size() - 2);  // without the outer quotes
+  while (!cell.empty()) {
+    const std::size_t end = std::min(cell.find(kNext), cell.size());
+    if (hasParts(words, cell.substr(0, end))) return cell.substr(0, end);
+    cell.remove_prefix(std::min(end + kNext.size(), cell.size()));
+  }
+  return "";
+}
+
+/// Is a row of a page on set-up that is about a message.
+struct Row {
+  std::string_view page, pattern, cause, remedy;
+};
+
+std::vector<Row> rowsOf(std::string_view words) {
+  std::vector<Row> rows;
+  for (const auto& [name, page] : errorPages()) {
+    if (!name.starts_with("set-up")) continue;
+    for (std::size_t at = page.find("\n| `"); at != std::string_view::npos;
+         at = page.find("\n| `", at + 1)) {
+      const std::size_t end = std::min(page.find('\n', at + 1), page.size());
+      const auto cells = cellsOf(page.substr(at + 1, end - at - 1));
+      if (cells.size() != 3) continue;
+      const std::string_view pattern = patternIn(cells[0], words);
+      if (!pattern.empty()) rows.push_back({name, pattern, cells[1], cells[2]});
+    }
+  }
+  return rows;
+}
+
 std::string setUpError(const std::string& words) {
-  const auto page = errorPages().find("set-up");
-  if (page == errorPages().end()) return "";
   std::string text;
-  std::istringstream lines{std::string(page->second)};
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with("| `")) continue;
-    const auto cells = cellsOf(line);
-    if (cells.size() != 3 || !hasParts(words, cells[0])) continue;
-    text += "why it happens: " + std::string(cells[1]) + "\nwhat to do: " + std::string(cells[2]) +
-            "\n";
+  for (const Row& row : rowsOf(words)) {
+    text += "why it happens: " + std::string(row.cause) +
+            "\nwhat to do: " + std::string(row.remedy) + "\nothers like it: suture why " +
+            std::string(row.page) + "\n";
   }
   return text;
 }
@@ -77,6 +103,17 @@ std::string explainError(const std::string& words) {
     foundText = text;
   }
   return found.empty() ? setUpError(words) : std::string(found);
+}
+
+std::string whatToAsk(const std::string& message) {
+  const std::vector<Row> rows = rowsOf(message);
+  if (rows.empty()) return "";
+  std::string pattern(rows.front().pattern);
+  for (std::size_t at = pattern.find('"'); at != std::string::npos;
+       at = pattern.find('"', at + 2)) {
+    pattern.insert(at, "\\");
+  }
+  return "suture why \"" + pattern + "\"";
 }
 
 }  // namespace suture::cli

@@ -15,4 +15,7 @@ const std::map<std::string_view, std::string_view>& errorPages();
 /// text ("not produced yet"), or a message that has this text.
 std::string explainError(const std::string& words);
 
+/// Returns the command that explains a message of set-up, or "" if no row is about it.
+std::string whatToAsk(const std::string& message);
+
 }  // namespace suture::cli

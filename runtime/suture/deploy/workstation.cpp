@@ -208,7 +208,7 @@ int workstationMain(int argc, const char* const* argv, std::span<const Component
   try {
     return runWorkstation(options, classes);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n`suture why \"...\"` tells more of a line of this.\n", error.what());
     return 1;
   }
 }

@@ -72,7 +72,8 @@ int main(int argc, char** argv) {
   try {
     serve(options);
   } catch (const suture::SetupError& error) {
-    std::fprintf(stderr, "suture-manager: %s\n", error.what());
+    std::fprintf(stderr, "suture-manager: %s\n`suture why \"...\"` tells more of this.\n",
+                 error.what());
     return 1;
   }
   return 0;

@@ -103,5 +103,7 @@ class System(unittest.TestCase):
         asked = self.run_suture(*words, "--json")
         self.assertEqual((asked.returncode, asked.stderr), (status, ""), asked.stdout)
         error = json.loads(asked.stdout)["error"]
-        self.assertEqual(done.stderr.rstrip("\n"), "suture: " + error)
+        said, _, more = done.stderr.rstrip("\n").partition("\nsuture: `suture why ")
+        self.assertEqual(said, "suture: " + error)
+        self.assertTrue(more.endswith("` tells more") or not more, more)
         return error

@@ -125,6 +125,7 @@ class RealTime(unittest.TestCase):
         self.assertEqual(station.communicate(timeout=60)[0], "")
         self.assertEqual(station.returncode, 1)
         lines = self.told.read_text().splitlines()
+        self.assertIn("suture why", lines.pop())
         self.assertEqual([": error: cannot " in line for line in lines], [True] * 3, lines)
 
 

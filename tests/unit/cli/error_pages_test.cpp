@@ -25,11 +25,33 @@ TEST(ErrorPages, NamesLeadToTheirPage) {
 TEST(ErrorPages, AMessageOfSetUpHasItsRow) {
   EXPECT_EQ(
       explainError("connecting 'A/B': it is already connected: A/B -> C/D. A required interface"),
-      "why it happens: a required interface has one provider\n"
-      "what to do: disconnect first, or add another required interface\n");
+      "why it happens: A required interface has one provider, so a second connection would have to "
+      "end the first.\n"
+      "what to do: Call `disconnect()` first, or add another required interface.\n"
+      "others like it: suture why set-up-connections\n");
   EXPECT_EQ(explainError("starting 'G': no task lends it a thread. Call lend()").rfind("why it", 0),
             0u);
   EXPECT_EQ(explainError("anything: something else. Do this"), "");
+}
+
+TEST(ErrorPages, OneRowMayBeAboutSeveralMessages) {
+  const std::string one = explainError("keep keys in /x: no. Give a folder in one that exists.");
+  EXPECT_NE(one, "");
+  EXPECT_EQ(explainError("write /x/ca.key: no. Give another folder."), one);
+}
+
+TEST(ErrorPages, WhatIsToldToAskLeadsToTheRow) {
+  const std::string message =
+      "f.json:3: error: lane \"shm\" needs a global manager, and key "
+      "'manager' is missing; give its address, or use lane \"auto\"";
+  EXPECT_EQ(whatToAsk(message),
+            "suture why \"\\\" needs a global manager, and key 'manager' is missing\"");
+  EXPECT_EQ(explainError("\" needs a global manager, and key 'manager' is missing"),
+            explainError(message));
+  EXPECT_EQ(whatToAsk("component 'A' was asked to stop: it is still running. Its run() has to"),
+            "suture why \"it is still ...\"");
+  EXPECT_NE(explainError("it is still ..."), "");
+  EXPECT_EQ(whatToAsk("anything: something else. Do this"), "");
 }
 
 }  // namespace
