@@ -24,7 +24,7 @@ FixtureModel model(const GuideParameters& parameters) {
   if (parameters.approach.norm() == 0) {
     throw suture::SetupError("guiding a knot along \"approach\" [0, 0, 0]",
                              "that has no direction, so it is no line",
-                             "set \"approach\" to the direction in which the knot shall come");
+                             "Set \"approach\" to the direction in which the knot shall come");
   }
   return {.target = parameters.target,
           .approach = parameters.approach,

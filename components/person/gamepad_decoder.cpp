@@ -24,7 +24,7 @@ GamepadDecoder::GamepadDecoder(const GamepadCalibration& calibration) : calibrat
                         calibration.dead_zone >= 0 && calibration.dead_zone < 1;
   if (possible) return;
   throw suture::SetupError("calibrating a gamepad", "a range or what its dead zone leaves is empty",
-                           "state the ranges that evtest prints, and a dead zone below 1");
+                           "State the ranges that evtest prints, and a dead zone below 1");
 }
 
 void GamepadDecoder::take(const input_event& event) {

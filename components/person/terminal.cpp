@@ -20,7 +20,7 @@ Terminal::Terminal(const std::string& path)
     close();
     throw suture::SetupError("reading keys from " + path,
                              "it is no terminal in whose foreground this process runs",
-                             "start the process by hand in a terminal, without \"&\"");
+                             "Start the process by hand in a terminal, without \"&\"");
   }
   *own_ = *before_;
   own_->c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);

@@ -21,7 +21,7 @@ void RecordingLines::rest(const Take& take) {
   next(take);
   if (!in_.is_open()) {
     throw suture::SetupError("reading the recording " + file_.string(), "it cannot be opened",
-                             "check that the recorder ran");
+                             "Check that the recorder ran");
   }
   if (!unfinished_.empty()) parse(take);
 }
@@ -33,7 +33,7 @@ void RecordingLines::parse(const Take& take) {
   } catch (const nlohmann::json::exception& error) {
     throw suture::SetupError(
         "reading the recording " + file_.string() + ":" + std::to_string(lines_), error.what(),
-        "the recorder may have been killed while it wrote; record anew");
+        "The recorder may have been killed while it wrote; record anew");
   }
   unfinished_.clear();
 }

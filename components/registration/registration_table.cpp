@@ -29,7 +29,7 @@ void makeRigid(const char* name, Eigen::Isometry3d& frame) {
   }
   throw suture::SetupError("registering the frame \"" + std::string(name) + "\"",
                            "its rotation is not orthonormal to 1e-6, or mirrors",
-                           "write a rotation matrix with all its digits");
+                           "Write a rotation matrix with all its digits");
 }
 
 }  // namespace

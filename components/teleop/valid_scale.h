@@ -14,7 +14,7 @@ inline double requireValidScale(double scale) {
   if (FollowLaw::isValidScale(scale)) return scale;
   throw suture::SetupError("teleoperation with scale " + std::to_string(scale),
                            "a slave can only follow with a finite scale above zero",
-                           "set \"scale\" to slave metres a master metre, e.g. 0.2");
+                           "Set \"scale\" to slave metres a master metre, e.g. 0.2");
 }
 
 }  // namespace robots

@@ -13,6 +13,7 @@
 
 #include "support/eventually.h"
 #include "support/patience.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 
 namespace conformance {
@@ -212,6 +213,19 @@ std::string laneOf(const testing::TestParamInfo<bool>& remote) {
 
 INSTANTIATE_TEST_SUITE_P(Lanes, Archives, testing::Values(false, true), laneOf);
 INSTANTIATE_TEST_SUITE_P(Lanes, RemoteArchives, testing::Values(true), laneOf);
+
+TEST(Archive, CannotBeDelayed) {
+  ArchiveDevice device;
+  Reader reader;
+  suture::Manager manager("alone");
+  manager.add("Store", device);
+  manager.add("Reader", reader);
+  EXPECT_EQ(suture::refusal([&] {
+              manager.connect("Reader/Archive", "Store/Archive", {.delay = {.commands = 1ms}});
+            }),
+            "a delay on a connection of shapes::Archive: the contract has a type without bounds. "
+            "Give it a capacity()");
+}
 
 TEST(Archive, IsNothingForATask) {
   struct Task final : suture::EventTask {

@@ -54,9 +54,9 @@ def unknown_messages(root, pages):
 def missing_messages(root, pages):
     """Yields each place that makes a message which no row explains."""
     patterns = [pattern for _, page in pages for pattern in error_sites.patterns(page)]
-    for file, line, words in error_sites.sites(root):
-        if not any(error_sites.has_parts(words, pattern) for pattern in patterns):
-            yield f"{file}:{line}: no row of docs/errors/{SET_UP}-*.md explains '{words}'"
+    for site in error_sites.sites(root):
+        if not any(error_sites.has_parts(site.words, pattern) for pattern in patterns):
+            yield f"{site.file}:{site.line}: no row of docs/errors/{SET_UP}-*.md explains '{site.words}'"
 
 
 def violations(root):

@@ -5,6 +5,7 @@ a process sends another. Its words are those of the message, `...` standing for 
 """
 
 import re
+import typing
 
 FOLDERS = ("runtime", "components")
 MAKERS = re.compile(r"\b(SetupError|UsageError|refuse|report|locate|failure|problems_?\.push_back)\s*\(|\{\s*(?=Kind::)")
@@ -52,14 +53,22 @@ def is_telling(text):
     return any(len(part) >= LEAST and " " in part for part in text.split(ANY))
 
 
+class Site(typing.NamedTuple):
+    file: str
+    line: int
+    words: str  # those of its `found`, if that has any of its own
+    whole: str  # these, and what to do
+
+
 def told(maker, given):
-    """Returns the words of a site: those of its `found`, if that has any of its own."""
+    """Returns the words of a site, and these with what to do."""
     texts = [words(one) for one in given]
     if len(texts) == 3 and maker in ("SetupError", "UsageError"):
-        return texts[1] if is_telling(texts[1]) else f"{texts[0]}: {texts[1]}. {texts[2]}"
+        whole = f"{texts[0]}: {texts[1]}. {texts[2]}"
+        return (texts[1], f"{texts[1]}{ANY}{texts[2]}") if is_telling(texts[1]) else (whole, whole)
     if len(texts) == 3 and maker == "refuse":
-        return f"{texts[1]}. {texts[2]}"
-    return texts[-1]
+        texts.append(f"{texts[1]}. {texts[2]}")
+    return texts[-1], texts[-1]
 
 
 def alternatives(text):
@@ -85,7 +94,7 @@ def patterns(page):
 
 
 def sites(root):
-    """Yields (file, line, words) of each site."""
+    """Yields each Site of a tree."""
     for folder in FOLDERS:
         for path in sorted((root / folder).rglob("*")):
             if path.suffix not in (".cpp", ".h"):
@@ -96,6 +105,8 @@ def sites(root):
                 helper = given[-1] == "remedy" or (match[1] != "SetupError" and OF_ANOTHER.search(given[-1]))
                 if helper:
                     continue
-                for found in alternatives(told(match[1], given)):
-                    if is_telling(found):
-                        yield path.relative_to(root).as_posix(), text.count("\n", 0, match.start()) + 1, found
+                found, whole = told(match[1], given)
+                for one in alternatives(found):
+                    if is_telling(one):
+                        yield Site(path.relative_to(root).as_posix(), text.count("\n", 0, match.start()) + 1, one,
+                                   one if OTHERWISE in found else whole)

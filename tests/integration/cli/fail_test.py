@@ -49,8 +49,17 @@ class Fail(System):
                 self.assertIn("is not of the form", self.refused("read", name, "x", status=2))
         self.assertIn("manager", self.refused("ps", "--manager", "somewhere", status=2))
 
+    def test_an_error_that_is_none(self):
+        error = self.refused("why", "Errc::NotYett", status=2)
+        self.assertIn("explain 'Errc::NotYett': no error has that name or text. There are 'awaiting-operator', ", error)
+        self.assertIn("or name two interfaces", error)
+
+    def test_each_error_says_where_more_is(self):
+        self.assertIn('\nsuture: `suture why "reach the global manager: ..."` tells more\n', self.run_suture("ps").stderr)
+
     def test_no_manager(self):
         error = self.refused("ps")
+        self.assertIn("reach the global manager: connect to ", error)
         self.assertIn("there is no such socket", error)
         self.assertIn(f"suture-manager --listen {self.address}", error)
         self.assertIn("suture-manager", self.failed("manager", "robot")["remedy"])
@@ -94,6 +103,17 @@ class Fail(System):
         self.assertIn("it speaks version 99", failed["found"])
         self.assertEqual(failed["remedy"], "Build both from the same release.")
         self.assertIn("it speaks version 99", self.refused("describe", "version"))
+
+    def test_a_process_without_an_address(self):
+        self.start_manager()
+        self.start_stranger("homeless")
+        self.assertEqual(self.refused("describe", "homeless"), "reach process 'homeless': it has no address. Restart it")
+
+    def test_a_process_that_is_older_than_its_explanations(self):
+        self.start_manager()
+        self.start_stranger("older")
+        self.assertEqual(self.refused("read", "older:Odd/Arm", "mode"),
+                         "ask process 'older' what it is: its Suture is older than that question. Rebuild it.")
 
     def test_a_socket_without_a_listener(self):
         self.start_manager()

@@ -2,6 +2,8 @@
 // Says "ready" when it is known; ends on SIGTERM. `how`:
 //   version      speaks another version of the protocol
 //   silent       does not answer a greeting
+//   homeless     is known, and says not where it is
+//   older        cannot explain itself yet
 //   escapes      has names that steer a terminal
 //   description  explains itself with what is no JSON
 //   depth        ... with JSON that is nested a million times
@@ -21,6 +23,7 @@
 #include <unistd.h>
 
 #include <string>
+#include <vector>
 
 #include "robots/arm.capnp.h"
 #include "robots/arm.suture.h"
@@ -107,6 +110,7 @@ class Stranger final : public suture::wire::Peer::Server {
   }
 
   kj::Promise<void> explain(ExplainContext context) override {
+    if (how_ == "older") return Server::explain(context);
     auto explanation = context.getResults().initExplained();
     suture::explain(suture::interfaceInfo<robots::Arm>(), explanation);
     spoil(explanation, how_);
@@ -141,8 +145,10 @@ kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence
   presence.link =
       std::make_unique<suture::ManagerLink>(control, suture::rpc::parseAddresses(manager), name);
   return presence.link->open(std::chrono::seconds(5)).then([&presence, name, how] {
+    std::vector<std::string> addresses;
+    if (how != "homeless") addresses.push_back(presence.server->address().text());
     return presence.link->enrol({.name = name,
-                                 .addresses = {presence.server->address().text()},
+                                 .addresses = std::move(addresses),
                                  .pid = getpid(),
                                  .host = how == "escapes" ? kEscape : "here",
                                  .components = {},

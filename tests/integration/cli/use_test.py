@@ -60,6 +60,17 @@ class Use(System):
             self.assertIn("it does not await an operator", done.stderr)
         self.assertEqual(done.stdout, "robot:Surgeon/Gripper: commands go through again\n")
 
+    def test_no_resume_while_the_provider_cannot_run(self):
+        for _ in range(100):
+            if "does not await" not in self.run_suture("resume", "robot:Surgeon/Gripper").stderr:
+                break
+        self.said("call", "robot:Hand/component", "suspend")
+        for _ in range(100):  # the surgeon, who reads what is too old, hears of both in his own cycle
+            error = self.run_suture("resume", "robot:Surgeon/Gripper").stderr
+            if "its provider is lost, suspended or faulted" in error:
+                break
+        self.assertIn("its provider is lost, suspended or faulted", error)
+
     def test_a_wrong_resume_is_refused(self):
         self.assertIn("it is not connected", self.refused("resume", "robot:Surgeon/Arm"))
         self.assertIn("requires no such interface", self.refused("resume", "robot:Surgeon/Hand"))

@@ -4,6 +4,7 @@
 #include <suture/base/errors.h>
 
 #include "integration/teleoperation/scene/guided_arms.h"
+#include "support/refusal.h"
 
 namespace robots::test {
 namespace {
@@ -45,6 +46,14 @@ TEST_F(Guide, DoesNotBeginAnewByARegistrationThatIsOld) {
   arms_[3].warn(ArmWarning::StepTooFar);
   pass(5ms);
   EXPECT_EQ(guide_.guidance_state(), GuidanceState::Preparing);
+}
+
+TEST(Registration, RefusesFramesThatAreNotRigid) {
+  SceneFrames mirrored;
+  mirrored.left_base.linear()(0, 0) = -1;
+  EXPECT_EQ(suture::refusal([&] { const RegistrationTable table(mirrored); }),
+            "registering the frame \"left_base\": its rotation is not orthonormal to 1e-6, or "
+            "mirrors. Write a rotation matrix with all its digits");
 }
 
 /// No registration says where the camera was when the picture was taken.

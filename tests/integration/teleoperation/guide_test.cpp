@@ -4,6 +4,7 @@
 #include <suture/base/errors.h>
 
 #include "integration/teleoperation/scene/guided_arms.h"
+#include "support/refusal.h"
 
 namespace robots::test {
 namespace {
@@ -152,8 +153,15 @@ TEST_F(Guide, FollowsNothingWhileItIsDisabled) {
 }
 
 TEST(KnotGuide, RefusesAnImpossibleScaleOrLine) {
-  EXPECT_THROW(KnotGuide({.scale = -1}), suture::SetupError);
-  EXPECT_THROW(KnotGuide({.approach = {0, 0, 0}}), suture::SetupError);
+  EXPECT_TRUE(
+      suture::refusal([] { KnotGuide({.scale = -1}); })
+          .ends_with("a slave can only follow with a finite scale above zero. Set \"scale\" "
+                     "to slave metres a master metre, e.g. 0.2"));
+  EXPECT_EQ(suture::refusal([] {
+              KnotGuide({.approach = {0, 0, 0}});
+            }),
+            "guiding a knot along \"approach\" [0, 0, 0]: that has no direction, so it is no line. "
+            "Set \"approach\" to the direction in which the knot shall come");
 }
 
 }  // namespace

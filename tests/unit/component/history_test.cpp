@@ -7,6 +7,7 @@
 #include <suture/rt/state/state_table.h>
 #include <suture/wiring/connect.h>
 
+#include "support/refusal.h"
 #include "support/resources.h"
 #include "unit/component/arm_client.h"
 #include "unit/component/driven_arm.h"
@@ -145,7 +146,9 @@ TEST_F(History, AProviderReadsItsOwn) {
 
 TEST_F(History, AStateInUseStaysAsItIs) {
   begin();
-  EXPECT_THROW(arm.automaticPort.keepState({.rows = 1000}), SetupError);
+  EXPECT_EQ(refusal([&] { arm.automaticPort.keepState({.rows = 1000}); }),
+            "the state table of 'Automatic': somebody uses it already. Call keepState() in the "
+            "component's constructor");
 }
 
 class CountingArmDevice final : public Device {
@@ -163,7 +166,9 @@ struct SleepingArm final : EventTask, CountingArm {
 TEST(DeviceHistory, ADeviceHasNone) {
   CountingArmDevice device;
   ArmClient client;
-  EXPECT_THROW(device.port.keepState({.manual = true}), SetupError);
+  EXPECT_EQ(refusal([&] { device.port.keepState({.manual = true}); }),
+            "the state table of 'Arm': a device, which has no thread to publish rows in. Make the "
+            "component a task, or leave 'manual' out");
   connectLocally(client.arm, device.port, "device");
   EXPECT_TRUE(client.arm.measured_cp());
   EXPECT_TRUE(client.arm.measured_cp.at(now() + 1h));
@@ -187,8 +192,11 @@ TEST(KeepState, TakesNoDescriptorWithoutAConnection) {
 
 TEST(KeepState, RefusesMoreRowsThanAreOfUse) {
   DrivenArm arm;
-  EXPECT_THROW(arm.automaticPort.keepState({.rows = 0}), SetupError);
-  EXPECT_THROW(arm.automaticPort.keepState({.rows = 1u << 30}), SetupError);
+  for (const unsigned rows : {0u, 1u << 30}) {
+    EXPECT_EQ(
+        refusal([&] { arm.automaticPort.keepState({.rows = rows}); }),
+        "the state table of 'Automatic': " + std::to_string(rows) + " rows. Keep 1 to 1048576");
+  }
 }
 
 }  // namespace

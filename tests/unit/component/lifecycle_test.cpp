@@ -37,6 +37,16 @@ TEST(Lifecycle, EachTransitionIsLegalInItsStatesAndNoOther) {
   EXPECT_EQ(from(Transition::Stop), "running>stopped suspended>stopped ");
 }
 
+TEST(Lifecycle, OnlySuspendAndResumeCanBeAskedFor) {
+  Living<PeriodicTask> task(kQuick);
+  for (const Transition transition : {Transition::Configure, Transition::Start, Transition::Stop}) {
+    EXPECT_EQ(refusal([&] { task.request(transition); }),
+              "component '" + task.name() + "' was asked to " + toString(transition) +
+                  ": that is for whoever gave it its thread. Call configure(), start() or stop(); "
+                  "only suspend and resume can be asked for");
+  }
+}
+
 TEST(Lifecycle, ATasksHooksRunInItsOwnThread) {
   Living<PeriodicTask> task(kQuick);
   EXPECT_EQ(task.state(), State::Constructed);

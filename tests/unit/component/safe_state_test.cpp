@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/refusal.h"
 #include "unit/component/driven_arm.h"
 
 namespace suture {
@@ -160,7 +161,8 @@ TEST(Restart, ClientsReachTheComponentAgain) {
 
 TEST(Restart, ABudgetBeyondReasonIsRefused) {
   Surgeon surgeon;
-  EXPECT_THROW(surgeon.restartAfterFaults({.most = 17, .per = 1s}), SetupError);
+  EXPECT_EQ(refusal([&] { surgeon.restartAfterFaults({.most = 17, .per = 1s}); }),
+            "restarting '" + surgeon.name() + "' after faults: 17 restarts. Allow at most 16");
 }
 
 }  // namespace

@@ -238,6 +238,23 @@ TEST(ManagerLink, SaysHowToStartAManagerThatIsNotThere) {
   EXPECT_TRUE(contains(error, "suture-manager --listen " + address)) << error;
 }
 
+TEST(ManagerLink, AProcessWithoutAnAddressIsNotReached) {
+  const TemporaryDirectory directory;
+  rpc::ControlThread control;
+  const GlobalManager manager(control, "unix:" + directory.file("manager.sock"));
+  const std::string error = refusal([&] {
+    control.run(kPatience, [&] {
+      auto link = kj::heap<ManagerLink>(control, rpc::parseAddresses(manager.address()), "test");
+      ProcessRecord homeless;
+      homeless.name = "robot";
+      auto opened = link->open(kPatience).then(
+          [&link = *link, homeless] { return link.reach(homeless, kPatience).ignoreResult(); });
+      return opened.attach(kj::mv(link));
+    });
+  });
+  EXPECT_TRUE(contains(error, "process 'robot' has no address. Restart it.")) << error;
+}
+
 TEST(ManagerLink, WaitsForAManagerToStart) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("late.sock");

@@ -326,6 +326,9 @@ TEST(Reconnect, TheOperatorAsksTheComponentItself) {
   pass(5ms);
   here.manager.suspend("PSM");
   EXPECT_EQ(person.resume("Slave"), ResumeOutcome::ProviderLost);
+  EXPECT_EQ(refusal([&] { here.manager.resumeConnection("Teleop/Slave"); }),
+            "resuming connection 'Teleop/Slave': the provider is suspended. Have its provider run "
+            "again, and look at it, first");
   here.manager.resume("PSM");
   EXPECT_TRUE(eventually([&] { return here.client.error == Errc::AwaitingOperator; }));
   EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Resumed);

@@ -98,6 +98,10 @@ TEST(Registry, NamesThatWouldBeMistakenForAnAddressAreRefused) {
     const auto added = registry.add(recordOf(name), link());
     ASSERT_FALSE(added) << name;
     EXPECT_EQ(added.error().kind, Kind::MALFORMED);
+    EXPECT_EQ(added.error().text,
+              "register process '" + name +
+                  "': a name has 1 to 100 characters, none of them ':', '/' or a space. Choose "
+                  "another name.");
   }
   EXPECT_FALSE(registry.add(recordOf(std::string(101, 'x')), link()));
   EXPECT_TRUE(registry.add(recordOf(std::string(100, 'x')), link()));
@@ -135,6 +139,9 @@ TEST(Registry, ARecordIsBounded) {
   const auto updated =
       registry.update("left", *generation, recordOfSize("left", (1u << 20) + 2000).components);
   ASSERT_FALSE(updated);
+  EXPECT_TRUE(updated.error().text.starts_with(
+      "replace the components of process 'left': its components and interfaces take "))
+      << updated.error().text;
   EXPECT_NE(updated.error().text.find("1048576 bytes"), std::string::npos) << updated.error().text;
   EXPECT_TRUE(registry.find("left")->components.empty());
   EXPECT_TRUE(registry.update("left", *generation, recordOfSize("left", 1u << 20).components));

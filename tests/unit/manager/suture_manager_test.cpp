@@ -64,6 +64,14 @@ TEST(SutureManager, AnAddressInUseIsAnErrorAndStatusOne) {
   EXPECT_EQ(second.end(0), 1);
 }
 
+TEST(SutureManager, AFolderThatCannotBeMadeIsAnError) {
+  Program program("unix:/nowhere/at/all/manager.sock");
+  EXPECT_EQ(program.line(),
+            "suture-manager: make the directory /nowhere/at/all: No such file or directory. "
+            "Choose another with --listen.");
+  EXPECT_EQ(program.end(0), 1);
+}
+
 TEST(SutureManager, TakesOverFromOneThatWasKilled) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("manager.sock");

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "support/refusal.h"
 #include "unit/person/recorded_events.h"
 
 namespace robots::test {
@@ -87,9 +88,13 @@ TEST_F(GamepadDecoderTest, TakesTheClutchForPressedThatItDoesNotKnow) {
 }
 
 TEST_F(GamepadDecoderTest, RefusesRangesThatAreEmpty) {
-  EXPECT_THROW(GamepadDecoder({.stick = {5, 5}}), suture::SetupError);
-  EXPECT_THROW(GamepadDecoder({.trigger = {1, 0}}), suture::SetupError);
-  EXPECT_THROW(GamepadDecoder({.dead_zone = 1}), suture::SetupError);
+  for (const GamepadCalibration& impossible :
+       {GamepadCalibration{.stick = {5, 5}}, GamepadCalibration{.trigger = {1, 0}},
+        GamepadCalibration{.dead_zone = 1}}) {
+    EXPECT_EQ(suture::refusal([&] { const GamepadDecoder decoder(impossible); }),
+              "calibrating a gamepad: a range or what its dead zone leaves is empty. State the "
+              "ranges that evtest prints, and a dead zone below 1");
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "support/refusal.h"
 #include "unit/person/pseudo_terminal.h"
 
 namespace robots::test {
@@ -49,8 +50,12 @@ TEST(Terminal, ClosesWhenItIsGone) {
 }
 
 TEST(Terminal, RefusesWhatIsNone) {
-  EXPECT_THROW(Terminal("/dev/null"), suture::SetupError);
-  EXPECT_THROW(Terminal("/nowhere"), suture::SetupError);
+  for (const std::string path : {"/dev/null", "/nowhere"}) {
+    EXPECT_EQ(suture::refusal([&] { const Terminal terminal(path); }),
+              "reading keys from " + path +
+                  ": it is no terminal in whose foreground this process runs. Start the process by "
+                  "hand in a terminal, without \"&\"");
+  }
 }
 
 }  // namespace

@@ -10,7 +10,9 @@
 #include <functional>
 
 #include "reference/still_arm.h"
+#include "support/contains.h"
 #include "support/eventually.h"
+#include "support/refusal.h"
 #include "unit/record/counting_sink.h"
 
 namespace suture {
@@ -143,7 +145,13 @@ TEST(EventCollector, CollectsFromStartToStopAlone) {
 
 TEST(EventCollector, RefusesAnEventThatIsNotThere) {
   CountingSink sink;
-  EXPECT_THROW(EventCollector(interfaceInfo<ArmLike>(), {.events = {"arived"}}, sink), SetupError);
+  EXPECT_TRUE(contains(
+      refusal([&] { EventCollector(interfaceInfo<ArmLike>(), {.events = {"arived"}}, sink); }),
+      "collecting the event 'arived': " + std::string(interfaceInfo<ArmLike>().name) + " has "));
+  EXPECT_EQ(
+      refusal([&] { EventCollector(interfaceInfo<ArmLike>(), {.interval = {.every = 0}}, sink); }),
+      "a collector: it is to keep every 0th, at least 0 ns apart. Keep every one (1) or every "
+      "n-th, with no negative time between");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "recorder/recording_writer.h"
 #include "support/eventually.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 
 namespace robots::test {
@@ -109,8 +110,9 @@ TEST_F(RecordingTest, NamesFileAndLineOfABrokenRecording) {
     readRecording(file_);
     FAIL() << "a torn line was accepted";
   } catch (const suture::SetupError& error) {
-    EXPECT_NE(std::string(error.what()).find(file_.string() + ":2"), std::string::npos)
-        << error.what();
+    const std::string text = error.what();
+    EXPECT_TRUE(text.starts_with("reading the recording " + file_.string() + ":2: ")) << text;
+    EXPECT_TRUE(text.ends_with("The recorder may have been killed while it wrote; record anew"));
   }
 }
 
@@ -123,8 +125,12 @@ TEST_F(RecordingTest, CountsWhatTheDiskDoesNotTake) {
 }
 
 TEST_F(RecordingTest, RefusesFilesItCannotUse) {
-  EXPECT_THROW(readRecording(file_), suture::SetupError);
-  EXPECT_THROW(RecordingWriter<Record>("/nowhere/at/all.jsonl", kRecords), suture::SetupError);
+  EXPECT_EQ(suture::refusal([this] { readRecording(file_); }),
+            "reading the recording " + file_.string() +
+                ": it cannot be opened. Check that the recorder ran");
+  EXPECT_TRUE(suture::refusal([] {
+                RecordingWriter<Record> writer("/nowhere/at/all.jsonl", kRecords);
+              }).starts_with("recording to /nowhere/at/all.jsonl: the file cannot be written. "));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <suture/net/address.h>
 
+#include "support/refusal.h"
+
 namespace suture::rpc {
 namespace {
 
@@ -25,13 +27,14 @@ TEST(Address, ParsesWhatItPrints) {
 
 TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
   const std::pair<std::string, std::string> cases[] = {
-      {"manager:7700", "begins with neither"},
-      {"unix:", "no path"},
-      {"tcp://127.0.0.1", "no port"},
+      {"manager:7700", "it begins with neither unix:, tls:// nor tcp://. Write unix:/path"},
+      {"unix:", "it has no path. Write unix:/path/to/socket."},
+      {"tcp://127.0.0.1", "it has no port between 0 and 65535. Write tcp://127.0.0.1:7700."},
       {"tcp://127.0.0.1:", "no port"},
       {"tcp://127.0.0.1:77x", "no port"},
       {"tcp://127.0.0.1:70000", "no port"},
-      {"tcp://192.168.0.1:7700", "not a loopback"},
+      {"tcp://192.168.0.1:7700",
+       "plain TCP carries no proof of who is talking, and this is not a loopback address. Use tls"},
       {"tcp://0.0.0.0:7700", "not a loopback"},
       {"tcp://[fe80::1]:7700", "not a loopback"},
       {"tcp://manager:7700", "not a loopback"},
@@ -44,7 +47,7 @@ TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
       {"tls://192.168.0.1:7700?insecure", "no port"},
       {"tcp://192.168.0.1:7700?secure", "no port"},
       {"tcp://192.168.0.1:7700", "add ?insecure"},
-      {"unix:/a,unix:/b", "has a comma"},
+      {"unix:/a,unix:/b", "its path has a comma, which separates addresses. Name one"},
   };
   for (const auto& [text, reason] : cases) {
     const std::string error = errorOf(text);
@@ -55,9 +58,17 @@ TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
 
 TEST(Address, ATooLongSocketPathIsAnError) {
   const std::string error = errorOf("unix:/" + std::string(107, 'x'));
-  EXPECT_NE(error.find("108 characters"), std::string::npos) << error;
-  EXPECT_NE(error.find("107"), std::string::npos) << error;
+  EXPECT_NE(error.find("its path has 108 characters and a socket's may have 107. Choose a shorter "
+                       "directory, for example under /tmp."),
+            std::string::npos)
+      << error;
   EXPECT_TRUE(errorOf("unix:/" + std::string(106, 'x')).starts_with("accepted"));
+}
+
+TEST(Address, OnlyANumberLeadsToASocket) {
+  const Address name = Address::parse("tls://robot.local:7700");
+  EXPECT_EQ(refusal([&] { const SocketAddress place(name); }),
+            "use the address 'tls://robot.local:7700': its host is a name. Use the host's number.");
 }
 
 /// Returns what a list of addresses is refused with; "" if it is taken.

@@ -20,7 +20,9 @@
 
 #include "echo_server.h"
 #include "socket_pair.h"
+#include "support/contains.h"
 #include "support/patience.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 
 namespace suture::rpc {
@@ -369,10 +371,24 @@ TEST_P(UnixListenerTest, AStaleSocketFileIsReplaced) {
   EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(port_.scope()), 3u);
 }
 
+TEST(Listening, WhereTheKernelRefusesIsAnError) {
+  EventPort port;
+  const auto refused = [&](const char* address) {
+    return refusal([&] { Listener(port, Address::parse(address)); });
+  };
+  EXPECT_EQ(refused("unix:/nowhere/at/all.sock"),
+            "listen at unix:/nowhere/at/all.sock: No such file or directory. Check that the "
+            "directory exists and is yours.");
+  EXPECT_EQ(refused("tls://192.0.2.1:7700"),
+            "listen at tls://192.0.2.1:7700: Cannot assign requested address. Choose another "
+            "address or port.");
+}
+
 TEST_P(UnixListenerTest, AnOrdinaryFileIsNotTouched) {
   const Address address = Address::parse(freshAddress());
   std::ofstream(address.path) << "notes";
-  EXPECT_THROW(Listener(port_, address), SetupError);
+  EXPECT_TRUE(contains(refusal([&] { Listener(port_, address); }),
+                       "there is a file that is no socket. Remove it, or choose"));
   std::string content;
   std::ifstream(address.path) >> content;
   EXPECT_EQ(content, "notes");

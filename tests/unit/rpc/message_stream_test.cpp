@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/time.h>
 #include <suture/framing/message_stream.h>
+#include <suture/framing/preamble.h>
 #include <suture/loop/failure.h>
 
 #include <algorithm>
@@ -10,7 +11,9 @@
 #include <vector>
 
 #include "socket_pair.h"
+#include "support/contains.h"
 #include "support/patience.h"
+#include "support/refusal.h"
 #include "support/resources.h"
 #include "support/test_thread.h"
 
@@ -68,6 +71,26 @@ class MessageStreamTest : public testing::Test {
   std::shared_ptr<ReceiveBudget> budget_;
   kj::Own<MessageStream> stream_;
 };
+
+TEST_F(MessageStreamTest, RefusesDescriptorsThatNoMessageBrings) {
+  open();
+  const std::vector<std::byte> frame = blobFrame(4096);
+  for (std::size_t i = 0; i <= kMostDescriptors; ++i) {
+    Descriptors one;
+    one.push_back(kj::AutoCloseFd(dup(peer_)));
+    ASSERT_EQ(sendWith(peer_, std::span(frame).subspan(i, 1), one), 1);
+  }
+  EXPECT_EQ(nextFault(), "the peer sends more descriptors than messages");
+}
+
+TEST(Preamble, APeerThatIsGoneTakesNone) {
+  EventPort port;
+  auto pair = makeSocketPair();
+  pair.theirs = nullptr;
+  const std::string error = refusal(
+      [&] { exchangeToken(port, ByteStream(kj::mv(pair.ours)), Token{}).wait(port.scope()); });
+  EXPECT_TRUE(contains(error, "the second connection takes nothing")) << error;
+}
 
 TEST_F(MessageStreamTest, RefusesTheAdvisoryFrame) {
   open();

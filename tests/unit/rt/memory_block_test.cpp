@@ -10,6 +10,9 @@
 
 #include <memory>
 
+#include "support/contains.h"
+#include "support/refusal.h"
+
 namespace suture::rt::memory_blocks {
 namespace {
 
@@ -19,7 +22,7 @@ TEST(Arena, CountsWhatABlockHasToHave) {
   Arena block(std::make_shared<MemoryBlock>("test", asked.used()), Arena::Content::Zeros);
   const SpscRing other(256, 8, block);
   EXPECT_EQ(block.used(), asked.used());
-  EXPECT_THROW(block.take(1), SetupError);
+  EXPECT_TRUE(contains(refusal([&] { block.take(1); }), "bytes: it is too small. Build both"));
 }
 
 TEST(Arena, MeasuresWithoutTouchingWhatItMeasures) {
@@ -47,12 +50,29 @@ TEST(MemoryBlock, OthersMayOnlyReadWhereItSaysSo) {
 
 TEST(MemoryBlock, AForeignBlockMustBeSealedAndLarge) {
   const MemoryBlock small("test", 4096);
-  EXPECT_THROW(MemoryBlock::open(small.descriptor(), 4097, MemoryBlock::Others::Read), SetupError);
+  const auto refused = [](int descriptor, std::size_t size) {
+    return refusal([&] { MemoryBlock::open(descriptor, size, MemoryBlock::Others::Read); });
+  };
+  EXPECT_EQ(refused(small.descriptor(), 4097),
+            "use the memory block of another process: it has 4096 bytes of 4097. Build both "
+            "processes from the same release");
   const int loose = memfd_create("test", MFD_ALLOW_SEALING);
   ASSERT_EQ(ftruncate(loose, 8192), 0);
-  EXPECT_THROW(MemoryBlock::open(loose, 4096, MemoryBlock::Others::Read), SetupError);
+  EXPECT_TRUE(contains(refused(loose, 4096), "it may shrink"));
   close(loose);
-  EXPECT_THROW(MemoryBlock::open(0, 1, MemoryBlock::Others::Read), SetupError);
+  EXPECT_TRUE(contains(refused(0, 1), "it is no sealed memory"));
+}
+
+TEST(MemoryBlock, WhatTheKernelDoesNotGiveIsNamed) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit none{0, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  const std::string error = refusal([] { MemoryBlock("rows", 4096); });
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_TRUE(contains(error, "cannot make the memory block 'rows' of 4096 bytes: ")) << error;
+  EXPECT_TRUE(contains(error, ": Too many open files. Check the limits on memory and open files"))
+      << error;
 }
 
 }  // namespace

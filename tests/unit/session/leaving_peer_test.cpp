@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Says when the peer ends its links, instead of an answer.
-enum class Leaves { AtHello, AtPing, AtSocket, AtConnect };
+enum class Leaves { AtHello, AtPing, AtSocket, AtConnect, Never };
 
 /// Answers what a provider answers until it leaves, but has no components.
 class LeavingPeer final : public wire::Peer::Server {
@@ -44,7 +44,11 @@ class LeavingPeer final : public wire::Peer::Server {
     return kj::READY_NOW;
   }
   kj::Promise<void> compared(ComparedContext) override { return kj::READY_NOW; }
-  kj::Promise<void> socket(SocketContext) override { return left(); }
+  kj::Promise<void> socket(SocketContext context) override {
+    if (when_ != Leaves::Never) return left();
+    context.getResults().setToken(kj::StringPtr("short").asBytes());
+    return kj::READY_NOW;
+  }
   kj::Promise<void> connect(ConnectContext context) override {
     if (when_ == Leaves::AtConnect) return left();
     context.getResults().setDeclined("not here");
@@ -119,6 +123,21 @@ TEST_P(Leaving, IsHeardOfAtOnce) {
   });
   EXPECT_NE(why, "");
   EXPECT_FALSE(contains(why, "does not answer")) << why;
+}
+
+TEST(Token, OfAnImpossibleSizeOpensNoLane) {
+  const TemporaryDirectory directory;
+  rpc::ControlThread control;
+  const GlobalManager names(control, "unix:" + directory.file("m.sock"));
+  const LeavingProcess robot(names.address(), Leaves::Never);
+  Teleop teleop;
+  Manager console("console", names.address());
+  console.add("Teleop", teleop);
+  console.start();
+  const std::string why = refusal([&] {
+    console.connect("Teleop/Slave", "robot:PSM/Arm", {.lane = Lane::Rpc, .laneRequired = true});
+  });
+  EXPECT_TRUE(contains(why, "the token has an impossible size")) << why;
 }
 
 }  // namespace

@@ -16,6 +16,8 @@
 #include <thread>
 #include <vector>
 
+#include "support/refusal.h"
+
 namespace suture {
 namespace {
 
@@ -46,7 +48,8 @@ TEST(TestClock, StandsStillUntilItIsStepped) {
 
 TEST(TestClock, IsTheOnlyOneOfItsProcess) {
   TestClock clock;
-  EXPECT_THROW(TestClock(), SetupError);
+  EXPECT_EQ(refusal([] { TestClock(); }),
+            "making a TestClock: this process has one. Destroy that first");
   clock.advance(1ms);
 }
 

@@ -92,7 +92,10 @@ TEST_F(KeyMaker, AFolderThatOthersCanEnterIsRefused) {
   fs::create_directory(folder_);
   fs::permissions(folder_, fs::perms::owner_all | fs::perms::group_exec);
   const std::string error = refusal([&] { makeKeys(folder_, {"left"}); });
-  EXPECT_TRUE(contains(error, "chmod 700 " + folder_.string())) << error;
+  EXPECT_EQ(error, "keep keys in " + folder_.string() +
+                       ": other users of this machine can enter it. Keep it to its owner: chmod "
+                       "700 " +
+                       folder_.string());
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
@@ -108,6 +111,7 @@ TEST_F(KeyMaker, AKeyThatOthersCanReadIsNotUsed) {
   makeKeys(folder_, {"left"});
   fs::permissions(folder_ / "left.key", fs::perms::group_read, fs::perm_options::add);
   const std::string error = refusedUse("left");
+  EXPECT_TRUE(contains(error, "other users of this machine can read it. Make new keys")) << error;
   EXPECT_TRUE(contains(error, "chmod 600 " + (folder_ / "left.key").string())) << error;
 }
 
@@ -128,6 +132,17 @@ TEST_F(KeyMaker, TheCertificateOfAnotherProcessIsNotUsed) {
   fs::copy_file(folder_ / "right.crt", folder_ / "left.crt", fs::copy_options::overwrite_existing);
   const std::string error = refusedUse("left");
   EXPECT_TRUE(contains(error, "it is that of process 'right'")) << error;
+}
+
+TEST_F(KeyMaker, ABadOrNamelessCertificateIsNotUsed) {
+  makeKeys(folder_, {"left"});
+  fs::copy_file(folder_ / "ca.crt", folder_ / "left.crt", fs::copy_options::overwrite_existing);
+  std::string error = refusedUse("left");
+  EXPECT_TRUE(contains(error, ": it names no process. Make one for 'left' with")) << error;
+  std::ofstream(folder_ / "left.crt") << "no certificate";
+  error = refusedUse("left");
+  EXPECT_TRUE(contains(error, "read the certificate in " + (folder_ / "left.crt").string()))
+      << error;
 }
 
 TEST_F(KeyMaker, ACertificateOfAnotherCaIsNotUsed) {

@@ -13,6 +13,7 @@
 #include "reference/simulated_arm.h"
 #include "support/eventually.h"
 #include "support/patience.h"
+#include "support/refusal.h"
 #include "unit/component/arm_client.h"
 
 namespace suture {
@@ -73,7 +74,8 @@ TEST(PeriodicTask, RunsOncePerPeriodAndAccountsForEach) {
 }
 
 TEST(PeriodicTask, RefusesAPeriodThatIsNotPositive) {
-  EXPECT_THROW(CycleCountingArm<PeriodicTask>(PeriodicOptions{.period = 0ms}), SetupError);
+  EXPECT_EQ(refusal([] { CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 0ms}); }),
+            "a periodic task: a period of 0 ns. Give a period greater than zero");
 }
 
 TEST(Task, ToldOfSchedulingThatTheKernelRefuses) {

@@ -3,6 +3,7 @@
 #include <suture/component/task/periodic_task.h>
 
 #include "support/eventually.h"
+#include "support/refusal.h"
 
 namespace suture {
 namespace {
@@ -58,7 +59,8 @@ TEST(WindowMeter, TheNextWindowKnowsNothingOfTheLast) {
 
 TEST(WindowMeter, RefusesALengthThatIsNotPositive) {
   WindowMeter meter;
-  EXPECT_THROW(meter.setLength(0ms), SetupError);
+  EXPECT_EQ(refusal([&] { meter.setLength(0ms); }),
+            "a window of a task's statistics: a length of 0 ns. Give a length greater than zero");
 }
 
 class Measured final : public PeriodicTask {

@@ -1,0 +1,153 @@
+// A client that breaks the protocol, or asks for too much, is told what it did.
+
+#include <gtest/gtest.h>
+#include <suture/calls.capnp.h>
+#include <suture/loop/failure.h>
+#include <suture/names/records.h>
+
+#include <string>
+#include <vector>
+
+#include "reference/connect_request.h"
+#include "reference/played_client.h"
+#include "reference/remote_arm.h"
+#include "support/contains.h"
+#include "support/patience.h"
+#include "support/refusal.h"
+
+namespace suture::broken_clients {
+namespace {
+
+class Client : public reference::PlayedClient {
+ public:
+  explicit Client(const std::string& manager) : PlayedClient(manager, "robot") {}
+  ~Client() {
+    control_.run(kPatience, [this] {
+      link_ = nullptr;
+      opened_.clear();
+    });
+  }
+
+  /// Pings, and says that it watches so many components.
+  void watch(unsigned components) {
+    control_.run(kPatience, [&] {
+      auto request = peer().pingRequest();
+      request.initComponents(components);
+      return request.send().ignoreResult();
+    });
+  }
+  void openSocket() {
+    control_.run(kPatience, [this] {
+      return reference::openCallsSocket(control_.port(), provider(), peer()).ignoreResult();
+    });
+  }
+  /// Shows a token that it was not given.
+  void forge() {
+    control_.run(kPatience, [this] {
+      return rpc::dial(control_.port(), provider(), kPatience)
+          .then([this](kj::AutoCloseFd socket) {
+            return rpc::exchangeToken(control_.port(), rpc::ByteStream(kj::mv(socket)),
+                                      rpc::Token{});
+          })
+          .ignoreResult();
+    });
+  }
+  /// Opens the arm so often. Returns what the last attempt is refused with.
+  std::string openArm(std::size_t times) {
+    std::string refused;
+    for (std::size_t i = 0; i < times; ++i) refused = openArm();
+    return refused;
+  }
+  /// Returns why the arm is not connected by calls on a socket of that number.
+  std::string connect(std::uint32_t socket) {
+    return control_.run(kPatience, [&] {
+      auto request = peer().connectRequest();
+      reference::askForArm(request, "test");
+      request.initBrings().initAs<wire::CallsRequest>().setSocket(socket);
+      return request.send().then([](auto&& results) -> std::string {
+        return results.isDeclined() ? results.getDeclined().cStr() : "";
+      });
+    });
+  }
+  /// Asks on a socket for a connection of that number.
+  void askForContract(std::uint32_t connection) {
+    control_.run(kPatience, [&] {
+      return reference::openCallsSocket(control_.port(), provider(), peer())
+          .then([this, connection](reference::CallsSocket socket) {
+            auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(socket.bytes));
+            link_ = kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
+            auto request = link_->bootstrap<wire::Calls>().contractRequest();
+            request.setConnection(connection);
+            return request.send().ignoreResult();
+          });
+    });
+  }
+
+ private:
+  std::string openArm() {
+    return control_.run(kPatience, [this] {
+      auto request = peer().openRequest();
+      request.setComponent("PSM");
+      request.setInterface("Arm");
+      return request.send().then([this](auto&& results) {
+        if (results.isRefused()) return fromWire(results.getRefused()).text;
+        opened_.push_back(results.getContract());
+        return std::string();
+      });
+    });
+  }
+
+  kj::Own<rpc::Link> link_;
+  std::vector<capnp::Capability::Client> opened_;
+};
+
+class BrokenClient : public RemoteArm {
+ protected:
+  void SetUp() override { begin("tcp://127.0.0.1:0"); }
+};
+
+TEST_F(BrokenClient, WatchesMoreThanItCanBeConnectedTo) {
+  Client client(manager());
+  client.watch(1024);
+  EXPECT_TRUE(contains(refusal([&] { client.watch(1025); }),
+                       "more components are watched than can be connected to"));
+}
+
+TEST_F(BrokenClient, AsksForASocketBeforeItSaysHello) {
+  Client client(manager());
+  EXPECT_TRUE(contains(refusal([&] { client.openSocket(); }),
+                       "a second connection is for whoever has said hello"));
+  client.greet();
+  client.openSocket();
+}
+
+TEST_F(BrokenClient, ShowsATokenOfItsOwn) {
+  Client client(manager());
+  EXPECT_TRUE(
+      contains(refusal([&] { client.forge(); }), "nobody awaits a second connection there"));
+}
+
+TEST_F(BrokenClient, ConnectsOnASocketThatItHasNot) {
+  Client client(manager());
+  client.greet();
+  EXPECT_EQ(client.connect(77), "the session's calls have ended");
+}
+
+TEST_F(BrokenClient, AsksASocketForAConnectionThatItHasNot) {
+  Client client(manager());
+  client.greet();
+  EXPECT_TRUE(contains(refusal([&] { client.askForContract(77); }),
+                       "no such connection has been accepted on this socket"));
+}
+
+TEST_F(BrokenClient, NeverLetsGoOfWhatItOpens) {
+  Client client(manager());
+  client.greet();
+  EXPECT_EQ(client.openArm(1024), "");
+  EXPECT_EQ(client.openArm(1),
+            "use 'robot:PSM/Arm': this process has been given 1024 interfaces, and none is given "
+            "more. Let go of some.");
+}
+
+}  // namespace
+}  // namespace suture::broken_clients
