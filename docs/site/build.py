@@ -22,6 +22,7 @@ MENUS = {
     "Subjects": ["docs/README.md", "docs/[a-z]*.md"],
     "Errors of calls": ["docs/errors/README.md", "docs/errors/[a-z]*.md"],
     "Messages of suturec": ["docs/diagnostics/README.md", "docs/diagnostics/[a-z]*.md"],
+    "Adding": ["docs/adding/README.md", "docs/adding/[a-z]*.md"],
     "Decisions": ["docs/adr/README.md", "docs/adr/[0-9]*.md"],
 }
 

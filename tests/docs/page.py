@@ -6,8 +6,8 @@ import re
 import shlex
 
 FENCE = re.compile(r"^( *)(`{3,})(.*)$")
-DIRECTIVES = ("file", "append", "run", "start", "stop", "output", "shown")
-OPTIONS = {"start": "ready", "run": "fails"}
+DIRECTIVES = ("file", "append", "insert", "run", "start", "stop", "output", "shown")
+OPTIONS = {"start": "ready", "run": "fails", "insert": "behind"}
 MOST_SHOWN = 12  # lines
 
 
@@ -70,9 +70,11 @@ def judge(block, before):
     directive = directives[0]
     for word in block.words.keys() - {directive, OPTIONS.get(directive)}:
         yield f"{block.where}: '{word}' means nothing beside '{directive}'"
-    if directive in ("file", "append", "start", "stop") and not block.value:
+    if directive in ("file", "append", "insert", "start", "stop") and not block.value:
         yield f"{block.where}: write {directive}=NAME"
-    if directive in ("file", "append") and not is_inside(block.value):
+    if directive == "insert" and not block.words.get("behind"):
+        yield f"{block.where}: say behind which line, behind=TEXT"
+    if directive in ("file", "append", "insert") and not is_inside(block.value):
         yield f"{block.where}: '{block.value}' lies outside of the project"
     if directive in ("run", "start", "stop") and block.language != "sh":
         yield f"{block.where}: only sh can {directive}"

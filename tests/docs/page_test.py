@@ -34,6 +34,9 @@ class Reader:
     def append(self, block):
         self._project.write(block.value, block.text, "a")
 
+    def insert(self, block):
+        self._project.insert(block.value, block.text, block.words["behind"])
+
     def run(self, block):
         self._running = None
         status, self._said = self._project.run(block.text)

@@ -30,6 +30,8 @@ FAULTS = {
     "output_of_nothing": "output_of_nothing.md:3: nothing runs directly before this output",
     "outside": "outside.md:3: '../escaped' lies outside of the project",
     "no_end": "no_end.md:3: this block has no end",
+    "nowhere_behind": "nowhere_behind.md:7: 0 lines of main.cpp have 'int mian'; it has to be in one",
+    "behind_nothing": "behind_nothing.md:3: say behind which line, behind=TEXT",
     "unknown_word": "unknown_word.md:3: 'quietly' means nothing beside 'run'",
 }
 

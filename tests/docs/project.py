@@ -72,9 +72,10 @@ class Process:
 
 
 class Project:
-    def __init__(self, folder, package, patience):
+    def __init__(self, folder, package, patience, limit=LIMIT):
         self._folder = folder
         self._patience = patience
+        self._limit = limit
         self._processes = {}
         self._ports = {}
         shutil.rmtree(folder, ignore_errors=True)
@@ -101,10 +102,19 @@ class Project:
         with path.open(mode, encoding="utf-8") as stream:
             stream.write(text)
 
+    def insert(self, file, text, behind):
+        path = self._folder / file
+        lines = path.read_text(encoding="utf-8").splitlines(keepends=True) if path.exists() else []
+        places = [at for at, line in enumerate(lines, 1) if behind in line]
+        if len(places) != 1:
+            raise PageError(f"{len(places)} lines of {file} have '{behind}'; it has to be in one")
+        lines.insert(places[0], text)
+        path.write_text("".join(lines), encoding="utf-8")
+
     def run(self, text):
         """Returns its status and what it said."""
         process = Process(text, self._options())
-        return process.finish(LIMIT), process.said
+        return process.finish(self._limit), process.said
 
     def start(self, name, text):
         if name in self._processes:
