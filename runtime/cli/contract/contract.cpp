@@ -99,10 +99,9 @@ void Contract::refuse(const char* word, const std::string& name,
                       const std::vector<Member>& existing) const {
   std::vector<std::string> names;
   for (const Member& one : existing) names.push_back(one.name);
-  const std::string nearest = nearestName(name, names);
   throw SetupError("find " + std::string(word) + " '" + name + "' of " + title_,
                    this->name() + " has " + word + "s " + listNames(names),
-                   nearest.empty() ? "Use one of those names" : "Did you mean '" + nearest + "'?");
+                   remedyForName(name, names));
 }
 
 }  // namespace suture::cli

@@ -159,9 +159,8 @@ void requireKnown(const Json& json, const std::vector<std::string>& names,
                   const std::string& path) {
   for (const auto& [key, value] : json.items()) {
     if (std::find(names.begin(), names.end(), key) != names.end()) continue;
-    const std::string nearest = nearestName(key, names);
-    refuse(under(path, key), "there is " + listNames(names),
-           nearest.empty() ? "Use one of those names" : "Did you mean '" + nearest + "'?");
+    refuse(under(path, key), "no such name; known are " + listNames(names),
+           remedyForName(key, names));
   }
 }
 

@@ -17,9 +17,8 @@ const Record* findIn(const std::vector<Record>& records, const std::string& name
 
 [[noreturn]] void refuse(const std::string& asked, const std::string& owner,
                          const std::string& name, const std::vector<std::string>& names) {
-  const std::string nearest = nearestName(name, names);
   throw SetupError("find '" + asked + "'", owner + " " + listNames(names),
-                   nearest.empty() ? "Use one of those names" : "Did you mean '" + nearest + "'?");
+                   remedyForName(name, names));
 }
 
 }  // namespace

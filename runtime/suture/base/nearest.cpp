@@ -46,4 +46,10 @@ std::string listNames(const std::vector<std::string>& names) {
   return text;
 }
 
+std::string remedyForName(std::string_view name, const std::vector<std::string>& names) {
+  if (names.empty()) return "Look whether another was meant";
+  const std::string nearest = nearestName(name, names);
+  return nearest.empty() ? "Use one of those names" : "Did you mean '" + nearest + "'?";
+}
+
 }  // namespace suture

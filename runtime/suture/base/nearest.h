@@ -14,4 +14,7 @@ std::string nearestName(std::string_view name, const std::vector<std::string>& c
 /// Returns "'a', 'b' and 'c'", or "none".
 std::string listNames(const std::vector<std::string>& names);
 
+/// Returns what to do where `name` was asked for and only `names` exist.
+std::string remedyForName(std::string_view name, const std::vector<std::string>& names);
+
 }  // namespace suture

@@ -28,11 +28,9 @@ std::vector<std::uint16_t> numbersOf(const char* contract, const char* kind,
   }
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const std::string nearest = nearestName(name, known);
-    throw SetupError(
-        std::string("collecting ") + kind + " '" + name + "'",
-        std::string(contract) + " has " + listNames(known),
-        nearest.empty() ? "Use one of those names" : "Did you mean '" + nearest + "'?");
+    throw SetupError(std::string("collecting ") + kind + " '" + name + "'",
+                     std::string(contract) + " has " + listNames(known),
+                     remedyForName(name, known));
   }
   return numbers;
 }

@@ -7,11 +7,6 @@
 namespace suture {
 namespace {
 
-std::string remedyFor(const std::string& name, const std::vector<std::string>& existing) {
-  const std::string nearest = nearestName(name, existing);
-  return nearest.empty() ? "Use one of those names" : "Did you mean '" + nearest + "'?";
-}
-
 template <class Interface>
 Interface& findIn(const std::vector<Interface*>& interfaces, const Endpoint& endpoint,
                   const char* kind) {
@@ -24,7 +19,7 @@ Interface& findIn(const std::vector<Interface*>& interfaces, const Endpoint& end
   throw SetupError(
       "asked for the " + std::string(kind) + " interface '" + endpoint.toString() + "'",
       "component '" + endpoint.component + "' has " + kind + " interfaces " + listNames(names),
-      remedyFor(endpoint.interface, names));
+      remedyForName(endpoint.interface, names));
 }
 
 }  // namespace
@@ -71,7 +66,7 @@ Component& Directory::find(const std::string& component, const std::string& aske
   for (const auto& [name, unused] : components_) names.push_back(name);
   throw SetupError("asked for '" + asked + "'",
                    "process '" + process_ + "' has components " + listNames(names),
-                   remedyFor(component, names));
+                   remedyForName(component, names));
 }
 
 ProvidedBase& Directory::provided(const Endpoint& endpoint) const {

@@ -94,7 +94,7 @@ class Use(System):
             return self.refused("call", GRIPPER, *arguments, status=2)
 
         self.assertEqual(error("open"), "argument 'width': it is not given. Give 'width'; nothing is filled in")
-        self.assertIn("argument 'widht': there is 'width'. Did you mean 'width'?", error("open", "widht=1"))
+        self.assertIn("argument 'widht': no such name; known are 'width'. Did you mean 'width'?", error("open", "widht=1"))
         self.assertIn("argument 'width': it is \"wide\". Give a number", error("open", "width=wide"))
         self.assertIn("argument 'mode': it is \"Serv\". Give one of 'Disabled', 'HoldStill' and 'Servo'",
                       error("grasp", "width=1", "mode=Serv"))

@@ -56,7 +56,7 @@ TEST_F(Wired, AMissingInterfaceIsNamedWithTheNearest) {
             "'Arm'. Did you mean 'Arm'?");
   EXPECT_EQ(refusal([&] { directory_.required(Endpoint::parse("PSM1/Arm")); }),
             "asked for the required interface 'PSM1/Arm': component 'PSM1' has required interfaces "
-            "none. Use one of those names");
+            "none. Look whether another was meant");
 }
 
 TEST_F(Wired, ANameIsTakenOnce) {

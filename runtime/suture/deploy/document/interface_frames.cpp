@@ -26,10 +26,8 @@ void declare(const Component& component, const std::string& name, const Frames& 
   const bool provided = declare(component.provided(), name, frames, names);
   const bool required = declare(component.required(), name, frames, names);
   if (provided || required) return;
-  const std::string nearest = nearestName(name, names);
   throw SetupError("declaring the frames of interface '" + name + "'",
-                   "its component has interfaces " + listNames(names),
-                   nearest.empty() ? "Use one of those names" : "Did you mean '" + nearest + "'?");
+                   "its component has interfaces " + listNames(names), remedyForName(name, names));
 }
 
 }  // namespace
