@@ -16,6 +16,9 @@ RUN = 4  # words in a row tell one message from another
 
 # What no test can provoke, by words of the message.
 NOT_PROVOKED = {
+    "OpenSSL refuses": "an OpenSSL that works hashes any file",
+    "' has failed": "`ip` and `bridge` do what they are told where namespaces can be made at all",
+    "the deployment has no such component": "the deployment itself refuses the name first",
     "Check the installation of OpenSSL 3": "an OpenSSL that works does not fail here",
     "get random bytes for a connection": "the kernel has them soon after it has booted",
     "it has link-local numbers only": "a name service that knows such a host needs root and a network with such a number",

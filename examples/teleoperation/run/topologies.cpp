@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <suture/base/errors.h>
+#include <suture/base/nearest.h>
 #include <suture/deploy/document/json_document.h>
 
 #include <algorithm>
@@ -40,11 +41,9 @@ fs::path Topologies::find(const std::string& asked) const {
     return folder_ / (asked + ".json");
   }
   if (asked.ends_with(".json") && fs::is_regular_file(asked)) return fs::absolute(asked);
-  throw suture::SetupError(
-      "finding topology '" + asked + "'",
-      fmt::format("{} has {}", folder_.string(),
-                  names_.empty() ? "none" : fmt::format("'{}'", fmt::join(names_, "', '"))),
-      "Name one of them, or a deployment file that ends with .json");
+  throw suture::SetupError("finding topology '" + asked + "'",
+                           folder_.string() + " has " + suture::listNames(names_),
+                           "Name one of them, or a deployment file that ends with .json");
 }
 
 std::string Topologies::list() const {

@@ -11,6 +11,7 @@ import time
 import unittest
 
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
+TOPOLOGIES = PROGRAMS.parent / "share/suture/teleoperation"
 
 ARM = {"name": "PSM1", "class": "Psm"}
 DRIVES = {"name": "PSM1Drives", "class": "PsmDrives"}
@@ -122,6 +123,37 @@ class Demo(unittest.TestCase):
         self.assertEqual(process.returncode, 1)
         self.assertIn("nothing in this topology places a knot. Choose one with a KnotGuide", process.stderr)
         self.assertEqual(process.stdout, "", "it is refused before the run")
+
+    def error_of(self, change):
+        """Returns why a run of fig3c, changed, cannot be judged."""
+        topology = json.loads((TOPOLOGIES / "fig3c.json").read_text())
+        change(topology)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "changed.json"
+            file.write_text(json.dumps(topology))
+            process = subprocess.run([PROGRAMS / "suture-demo", "--topology", file, "--seconds", "1"],
+                                     capture_output=True, text=True, timeout=60)
+        self.assertEqual(process.returncode, 1, process.stdout)
+        return process.stderr
+
+    def test_what_a_run_is_judged_by_has_to_be_in_the_file(self):
+        def without_connections(end, name):
+            def change(topology):
+                topology["connections"] = [one for one in topology["connections"] if not one[end].endswith(name)]
+            return change
+
+        def without_parameters(topology):
+            for process in topology["processes"]:
+                for component in process["components"]:
+                    if component["class"] == "Recorder":
+                        del component["parameters"]["file"]
+
+        self.assertIn("the deployment does not connect it. Connect it in the topology's file",
+                      self.error_of(without_connections("from", "/Master")))
+        self.assertIn("nothing in the deployment records it. Connect a Recorder to it",
+                      self.error_of(without_connections("to", "/Teleoperation")))
+        self.assertIn("the topology's file leaves it out, or gives it another type. State it there",
+                      self.error_of(without_parameters))
 
     def test_without_the_command_that_makes_namespaces(self):
         process = subprocess.run([PROGRAMS / "suture-demo", "--network", "namespaces"], capture_output=True, text=True,
