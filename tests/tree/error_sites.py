@@ -8,7 +8,7 @@ import re
 import typing
 
 FOLDERS = ("runtime", "components", "examples")
-MAKERS = re.compile(r"\b(SetupError|UsageError|refuse|report|locate|failure|problems_?\.push_back)\s*\(|\{\s*(?=Kind::)")
+MAKERS = re.compile(r"\b(SetupError|UsageError|DocumentError|refuse|report|locate|failure|disconnected|problems_?\.push_back)\s*\(|\{\s*(?=Kind::)")
 OF_ANOTHER = re.compile(r"\.what\(\)|\blocate\(|\bwarn\(")  # what is made around another message has no row of its own
 LEAST = 9  # letters, a space among them, that tell one message from another
 ANY = "..."

@@ -60,7 +60,7 @@ class Fail(System):
     def test_no_manager(self):
         error = self.refused("ps")
         self.assertIn("reach the global manager: connect to ", error)
-        self.assertIn("there is no such socket", error)
+        self.assertIn("there is no such socket. Start the process that should listen there, or correct the address.", error)
         self.assertIn(f"suture-manager --listen {self.address}", error)
         self.assertIn("suture-manager", self.failed("manager", "robot")["remedy"])
 

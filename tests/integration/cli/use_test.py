@@ -167,7 +167,7 @@ class Use(System):
         self.robot.kill()
         output, errors = watching.communicate(timeout=PATIENCE)
         self.assertEqual((watching.returncode, errors), (1, ""))
-        self.assertIn("process 'robot' is gone", json.loads(output)["error"])
+        self.assertIn("process 'robot' is gone. Start it again.", json.loads(output)["error"])
         self.robot.returncode = 0  # as intended
 
 

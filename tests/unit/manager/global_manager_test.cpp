@@ -189,7 +189,10 @@ TEST_P(GlobalManagerTest, WaitersAreBounded) {
 TEST_P(GlobalManagerTest, AManagerThatComesBackRelearnsItsProcesses) {
   auto left = enrolled("left"), right = enrolled("right");
   manager_.reset();
-  ASSERT_TRUE(eventually([&] { return contains(refusal([&] { left->list(); }), "is gone"); }));
+  ASSERT_TRUE(eventually([&] {
+    return contains(refusal([&] { left->list(); }), "list processes: the global manager at " +
+                                                        address_ + " is gone. Start it again.");
+  }));
   start(address_);
   EXPECT_TRUE(eventually([&] {
     try {

@@ -103,6 +103,16 @@ class SecureLinkTest : public testing::Test {
   kj::Own<LinkServer> server_;
 };
 
+TEST_F(SecureLinkTest, WhoSpeaksNoTlsIsNotAwaitedForever) {
+  auto pair = makeSocketPair();
+  const std::string error = refusal([&] {
+    handshake(port_, kj::mv(pair.ours), trustOf("client").keys, tls::Session::Side::Client,
+              std::chrono::milliseconds(1))
+        .wait(port_.scope());
+  });
+  EXPECT_TRUE(contains(error, "it did not finish the TLS handshake in time.")) << error;
+}
+
 TEST_F(SecureLinkTest, CallsOfAnySizeReturn) {
   serveTls();
   auto link = connect(trustOf("client"));

@@ -123,6 +123,11 @@ TEST_P(Leaving, IsHeardOfAtOnce) {
   });
   EXPECT_NE(why, "");
   EXPECT_FALSE(contains(why, "does not answer")) << why;
+  if (GetParam() == Leaves::AtPing) {
+    EXPECT_TRUE(contains(
+        why, ": the link was closed: its process has ended, or the link is broken. Try again."))
+        << why;
+  }
 }
 
 TEST(Token, OfAnImpossibleSizeOpensNoLane) {
