@@ -2,7 +2,7 @@
 # Runs what takes too long for every push: the tests labelled long (docs/tests.md lists them), suturec under AddressSanitizer and
 # UBSan on 10,000 mutated headers and on all its tests, ten minutes of each fuzzer, a minute of stress on each part between
 # threads, a thousand restarts of a peer, a million changed sessions, twenty rounds of faults between processes, ten minutes of
-# faults of messages, ten draws of random types and contracts, each scenario of conformance on each row that
+# faults of messages, ten random contracts, a thousand random headers, each scenario of conformance on each row that
 # is possible, a million seeds of the explorer, the planted faults, a build in which each source is compiled by itself, the
 # whole grid of the experiment over a link and six of its points in real time, and the demo as a newcomer runs it.
 #   tests/long.sh [MUTANTS] [SECONDS]
@@ -47,11 +47,8 @@ SUTURE_SESSIONS=1000000 "$build/bin/fault_test" --gtest_filter=Sessions.*
 SUTURE_RECONNECTS=1000 "$build/bin/fault_test" --gtest_filter='*Restarts.ManyRestartsOfAPeer*'
 SUTURE_FAULT_SECONDS=20 "$build/bin/fault_test" --gtest_filter='*Messages*' --gtest_brief=1
 for _ in {1..20}; do SUTURE_FAULT_ROUNDS=3 "$build/bin/fault_test" --gtest_filter='*Kill.*:*Stop.*:*Proxy.*:*Messages*:Lanes/Stopped*' --gtest_brief=1; done
-for _ in {1..10}; do
-  for test in random_types_test random_contract; do
-    python3 "tests/integration/random_contract/$test.py" --suture "$build"
-  done
-done
+for _ in {1..10}; do python3 tests/integration/random_contract/random_contract.py --suture "$build"; done
+python3 tests/integration/random_contract/random_headers_test.py --suture "$build" --headers 1000
 "$build/bin/suture-experiment" --csv "$build/experiment.csv" --png "$build/experiment.png"
 if [ "$(id -u)" = 0 ]; then
   "$build/bin/suture-experiment" --real-time

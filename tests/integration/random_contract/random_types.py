@@ -2,8 +2,6 @@
 
 import random
 
-import random_names
-
 INTEGERS = ["std::int8_t", "std::int16_t", "std::int32_t", "std::int64_t",
             "std::uint8_t", "std::uint16_t", "std::uint32_t", "std::uint64_t"]
 NUMBERS = INTEGERS + ["float", "double"]
@@ -18,12 +16,68 @@ CHRONO = ["std::chrono::nanoseconds", "std::chrono::milliseconds", "std::chrono:
           "std::chrono::system_clock::time_point"]
 
 
-# What only structs that cannot be edited may have.
-FOREIGN = ["char", "long long", "unsigned long long", "std::array<char, 5>", "std::optional<long long>"]
-# Where a struct stands, {0} being its name: at home, in another namespace, in a class, or in a header that cannot be edited.
-PLACES = ["{0}", "{0}", "elsewhere::{0}", "Nest{0}::{0}", "vendor::{0}"]
+STANDARD = ["array", "chrono", "deque", "map", "memory", "optional", "set", "string", "tuple", "unordered_map", "unordered_set",
+            "variant", "vector"]
+# The words of a header that need an include whose name is another one.
+NEEDED = {"std::byte": "<cstddef>", "int8_t": "<cstdint>", "int16_t": "<cstdint>", "int32_t": "<cstdint>", "int64_t": "<cstdint>",
+          "std::unique_ptr": "<memory>", "std::pair": "<utility>", "std::monostate": "<variant>", "Eigen::": "<Eigen/Geometry>",
+          "suture::Time": "<suture/base/time.h>", **{f"std::{name}": f"<{name}>" for name in STANDARD}}
 
 OPEN = 1 << 16  # of a level: its values have so many elements, but no capacity() says so
+
+
+def declared_values(name):
+    """Returns the lines that declare what fills and compares a struct."""
+    return [f"inline void fill({name}& value, Random& random);",
+            f"inline bool same(const {name}& a, const {name}& b);",
+            f"inline void fill({name}& value, Random& random, Bounds&) {{ fill(value, random); }}",
+            f"inline bool equal(const {name}& a, const {name}& b, Tag) {{ return same(a, b); }}"]
+
+
+def defined_values(name, fields, bases=()):
+    """Returns the lines that define it, the bases first."""
+    lines = ["", f"inline void fill([[maybe_unused]] {name}& value, [[maybe_unused]] Random& random) {{",
+             *(f"  fill(static_cast<{base}&>(value), random);" for base in bases)]
+    for field in fields:
+        lines.append(f"  constexpr unsigned limits_{field.name}[] = {{{', '.join(map(str, [*field.bounds, 0]))}}};")
+        lines.append(f"  Bounds bounds_{field.name} = limits_{field.name};")
+        lines.append(f"  fill(value.{field.name}, random, bounds_{field.name});")
+    return [*lines, "}", f"inline bool same([[maybe_unused]] const {name}& a, [[maybe_unused]] const {name}& b) {{", "  return true",
+            *(f"      && same(static_cast<const {base}&>(a), static_cast<const {base}&>(b))" for base in bases),
+            *(f"      && equal(a.{field.name}, b.{field.name}, Tag())" for field in fields), "  ;", "}"]
+
+
+LEVELS = ["std::vector", "std::deque", "std::set", "std::unordered_set", "std::map", "std::unordered_map", "std::string"]
+
+
+def parts_of(type_):
+    """Returns the template and what stands between its brackets; of a matrix or a duration nothing, since these are wholes."""
+    template, _, rest = type_.partition("<")
+    if not rest or not template.startswith("std::") or template.startswith("std::chrono"):
+        return template, []
+    parts, depth = [""], 0
+    for letter in rest[:-1]:
+        depth += (letter == "<") - (letter == ">")
+        if letter == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return template, [part.strip() for part in parts]
+
+
+def own_levels(type_, template):
+    return OPEN_EIGEN.get(type_, 1 if template in LEVELS else 0)
+
+
+def levels_of(type_):
+    template, parts = parts_of(type_)
+    return own_levels(type_, template) + sum(levels_of(part) for part in parts)
+
+
+def includes(text):
+    """Returns the lines with which a header of this text begins."""
+    found = sorted({file for word, file in NEEDED.items() if word in text})
+    return ["#pragma once", "#include <suture/annotate.h>", *(f"#include {file}" for file in found)]
 
 
 class Field:
@@ -31,63 +85,46 @@ class Field:
 
     def __init__(self, name, type_, bounds=(), owns_heap=False):
         self.name, self.type, self.bounds, self.owns_heap = name, type_, bounds, owns_heap
+        self.extent = ""  # of a plain array
+        self.notes = ()  # what the annotation says beside the bounds
 
     def declaration(self):
-        annotation = f"SUTURE_FIELD({self.capacity()}) " if self.capacity() else ""
+        annotation = f"SUTURE_FIELD({self.annotation()}) " if self.annotation() else ""
         return f"  {annotation}{self.plain_declaration()}"
 
     def plain_declaration(self):
-        return f"{self.type} {self.name}{{}};"
+        return f"{self.type} {self.name}{self.extent}{{}};"
 
-    def capacity(self):
+    def inside(self):
+        """Returns the members that have a part of this type only, each with the bounds of that part."""
+        template, parts = parts_of(self.type)
+        bounds = self.bounds[own_levels(self.type, template):]
+        found = []
+        for part in parts:
+            levels = levels_of(part)
+            if part not in ("std::monostate", "std::byte") and not part.isdigit():
+                found.append(Field(self.name, part, bounds[:levels], self.owns_heap))
+            bounds = bounds[levels:]
+        return found
+
+    def annotation(self):
         stated = [0 if bound & OPEN else bound for bound in self.bounds]
-        return f"capacity({', '.join(map(str, stated))})" if any(stated) else ""
+        return ", ".join([f"capacity({', '.join(map(str, stated))})"] * any(stated) + list(self.notes))
 
 
 class Types:
     """Is a set of enums and structs; a later struct may hold an earlier one."""
 
-    def __init__(self, seed, count=5, data_only=False):
-        """`data_only`: also what a contract cannot carry by value, base classes, and names that others have a use for."""
+    pointers = False  # a std::unique_ptr is nothing that an event or an answer could copy
+
+    def __init__(self, seed, count=5):
         self.random = random.Random(seed)
-        self.data_only = data_only
-        self.open = data_only or seed % 2 == 1  # some levels have no bounds, and only devices provide them
-        self.bases = {}
-        self.enums = {f"Choice{i}": self.enumerators() for i in range(2)}
+        self.open = seed % 2 == 1  # some levels have no bounds, and only devices provide them
+        self.enums = {f"Choice{i}": ["First", "Second = 70", "Third"] for i in range(2)}
         self.optional = False
         self.structs = {}
-        names = [f"Record{i}" for i in range(count)]
-        if data_only:
-            names = self.random.sample(list(random_names.TYPES), count)
-        for i, name in enumerate(names):
-            if data_only:
-                names[i] = name = self.random.choice(PLACES).format(name)
-            if data_only and i > 0 and self.random.randrange(3) == 0:
-                self.bases[name] = self.random.choice(names[:i])
-            self.structs[name] = [self.field(member) for member in self.member_names(self.random.randint(2, 7))]
-            if name.startswith("vendor::"):
-                self.structs[name] += [Field("letters", "std::vector<char>", (3,), True),
-                                       Field("kept", self.random.choice(FOREIGN))]
-
-    @staticmethod
-    def slot(struct):
-        return struct.replace("::", "") + "Slot"
-
-    @staticmethod
-    def wire(struct):
-        """Its name there. That of what stands in a class begins with the class, so that Cap'n Proto does not need it."""
-        place, _, name = struct.rpartition("::")
-        return place + name if place.startswith("Nest") else random_names.TYPES[name]
-
-    def member_names(self, count):
-        if self.data_only:
-            return self.random.sample(random_names.MEMBERS, count)
-        return [f"member_{i}" for i in range(count)]
-
-    def enumerators(self):
-        """Returns those that values.h takes, and in between what is only compiled."""
-        more = self.random.sample(random_names.ENUMERATORS, 4) if self.data_only else []
-        return ", ".join(["First", *more[:2], "Second = 70", *more[2:], "Third"])
+        for i in range(count):
+            self.structs[f"Record{i}"] = [self.field(f"member_{j}") for j in range(self.random.randint(2, 7))]
 
     def owns_heap(self, struct):
         return any(field.owns_heap for field in self.structs[struct])
@@ -133,7 +170,7 @@ class Types:
                     any(part[2] for part in parts))
         element, inner, owns = self.nested(depth - 1)
         if kind == 5:
-            pointer = self.data_only and self.random.randrange(3) == 0
+            pointer = self.pointers and self.random.randrange(3) == 0
             return f"{'std::unique_ptr' if pointer else 'std::optional'}<{element}>", inner, owns or pointer
         if kind == 6:
             return f"std::array<{element}, {self.random.randint(1, 3)}>", inner, owns
@@ -166,38 +203,15 @@ class Types:
         return Field(name, self.simple())
 
     def header(self):
-        lines = ["#pragma once", "#include <suture/annotate.h>", "#include <suture/base/time.h>",
-                 "#include <Eigen/Geometry>", "#include <array>", "#include <chrono>", "#include <cstddef>",
-                 "#include <cstdint>", "#include <deque>", "#include <map>", "#include <memory>", "#include <optional>",
-                 "#include <set>", "#include <string>", "#include <tuple>", "#include <unordered_map>",
-                 "#include <unordered_set>", "#include <utility>", "#include <variant>", "#include <vector>", "", "namespace invented {", ""]
+        lines = ["namespace invented {", ""]
         for name, enumerators in self.enums.items():
-            lines += [f"enum class SUTURE_TYPE() {name} : std::uint16_t {{ {enumerators} }};", ""]
-        for name in self.structs:
-            lines += self.struct(name)
-        return "\n".join(lines + self.interface() + ["}  // namespace invented", ""])
-
-    def struct(self, path):
-        """The lines of one struct, where it stands; those around it are in the namespace of all."""
-        place, _, name = path.rpartition("::")
-        fields, base = self.structs[path], f" : {self.bases[path]}" if path in self.bases else ""
-        if place == "vendor":
-            lines = [f"struct {name}{base} {{", *("  " + field.plain_declaration() for field in fields), "};"]
-        else:
-            lines = [f"struct SUTURE_TYPE() {name}{base} {{", *(field.declaration() for field in fields), "};"]
-        if place.startswith("Nest"):
-            lines = [f"struct {place} {{", *lines, "};"]
-        elif place:
-            lines = ["}  // namespace invented", f"namespace {place} {{", "using namespace invented;", *lines, "}",
-                     "namespace invented {"]
-        if place == "vendor":
-            stated = [f"member({field.name}, {field.capacity()})" for field in fields if field.capacity()]
-            lines.append(f"SUTURE_EXTERNAL_TYPE({path}, {', '.join(['all()', *stated])});")
-        return [*lines, ""]
+            lines += [f"enum class SUTURE_TYPE() {name} : std::uint16_t {{ {', '.join(enumerators)} }};", ""]
+        for name, fields in self.structs.items():
+            lines += [f"struct SUTURE_TYPE() {name} {{", *(field.declaration() for field in fields), "};", ""]
+        text = "\n".join(lines + self.interface() + ["}  // namespace invented", ""])
+        return "\n".join([*includes(text), "", text])
 
     def interface(self):
-        if self.data_only:
-            return []
         lines = ["class SUTURE_INTERFACE() Invented {", " public:", "  virtual ~Invented() = default;"]
         for name in self.structs:
             result = f"const {name}&" if self.owns_heap(name) else name
@@ -219,23 +233,8 @@ class Types:
     def values(self):
         """Returns C++ that fills and compares the structs, on top of values.h."""
         lines = ['#pragma once', '#include "values.h"', '#include "invented.h"', "", "namespace invented {", ""]
-        for name, fields in self.structs.items():
-            lines += [f"inline void fill({name}& value, Random& random);",
-                      f"inline bool same(const {name}& a, const {name}& b);",
-                      f"inline void fill({name}& value, Random& random, Bounds&) {{ fill(value, random); }}",
-                      f"inline bool equal(const {name}& a, const {name}& b, Tag) {{ return same(a, b); }}"]
-        for name, fields in self.structs.items():
-            lines += ["", f"inline void fill({name}& value, Random& random) {{"]
-            base = self.bases.get(name)
-            lines += [f"  fill(static_cast<{base}&>(value), random);"] if base else []
-            for field in fields:
-                lines.append(f"  constexpr unsigned limits_{field.name}[] = {{{', '.join(map(str, [*field.bounds, 0]))}}};")
-                lines.append(f"  Bounds bounds_{field.name} = limits_{field.name};")
-                lines.append(f"  fill(value.{field.name}, random, bounds_{field.name});")
-            lines += ["}", f"inline bool same(const {name}& a, const {name}& b) {{", "  return true"]
-            lines += [f"      && same(static_cast<const {base}&>(a), static_cast<const {base}&>(b))"] if base else []
-            lines += [f"      && equal(a.{field.name}, b.{field.name}, Tag())" for field in fields]
-            lines += ["  ;", "}"]
+        lines += [line for name in self.structs for line in declared_values(name)]
+        lines += [line for name, fields in self.structs.items() for line in defined_values(name, fields)]
         return "\n".join(lines + ["", "}  // namespace invented", ""])
 
     def program(self):
