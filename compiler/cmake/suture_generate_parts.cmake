@@ -144,7 +144,8 @@ function(suture_compile_schema target schemas stem wire lock_dirs)
     DEPENDS ${schemas}/${stem}.capnp ${script}
     COMMENT "capnp ${stem}.capnp"
     VERBATIM)
-  set_source_files_properties(${wire}/${stem}.capnp.c++ PROPERTIES COMPILE_OPTIONS "-w;-std=c++17")
+  # An editor takes the command of this file for that of the header of its name, so it has the standard of the target.
+  set_source_files_properties(${wire}/${stem}.capnp.c++ PROPERTIES COMPILE_OPTIONS "-w;-include;suture/loop/kj_comparisons.h")
   target_sources(${target} PRIVATE ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h)
 endfunction()
 

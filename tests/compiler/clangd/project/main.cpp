@@ -1,0 +1,3 @@
+#include "hand.suture.h"
+
+int main() { return 0; }
