@@ -108,28 +108,47 @@ function(suture_write_response_file file target base generated lock_dirs stems e
   file(GENERATE OUTPUT ${file} CONTENT "${text}" TARGET ${target})
 endfunction()
 
-# Runs suturec: the stamp says when it ran, and the generated files change only with their text.
+# Runs suturec: the stamp says when it ran, and the generated files change only with their text. Of a command that fails Ninja prints all
+# outputs and the command itself, before what the command says. So that a message is not buried, this one has one output and paths below
+# the build folder; CMake would add a longer command that rewrites the depfile, which needs no rewriting.
 function(suture_run_compiler suturec target base generated lock_dirs stems entry)
   set(work ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture)
+  file(RELATIVE_PATH below ${CMAKE_BINARY_DIR} ${work})
   suture_write_response_file(${work}.rsp ${target} ${base} ${generated} "${lock_dirs}" "${stems}" "${entry}")
   foreach(stem IN LISTS stems)
     list(APPEND headers ${base}/${stem}.h)
   endforeach()
+  cmake_policy(PUSH)
+  cmake_policy(SET CMP0116 OLD)
+  add_custom_command(
+    OUTPUT ${work}.stamp
+    COMMAND ${suturec} @${below}.rsp --stamp ${below}.stamp --depfile ${below}.d
+    DEPENDS ${suturec} ${work}.rsp ${headers}
+    DEPFILE ${work}.d
+    WORKING_DIRECTORY ${CMAKE_BINARY_DIR}
+    COMMENT "suturec ${target}"
+    VERBATIM)
+  cmake_policy(POP)
+
   suture_outputs(outputs "${stems}" include compile read schema)
   list(APPEND outputs ${entry})
   list(TRANSFORM outputs PREPEND ${generated}/)
+  set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/write_missing.cmake)
+  set(program ${suturec})
+  if(TARGET ${suturec})
+    set(program $<TARGET_FILE:${suturec}>)
+  endif()
   add_custom_command(
-    OUTPUT ${work}.stamp
+    OUTPUT ${work}.written
     BYPRODUCTS ${outputs}
-    COMMAND ${suturec} @${work}.rsp --stamp ${work}.stamp --depfile ${work}.d
-    DEPENDS ${suturec} ${work}.rsp ${headers}
-    DEPFILE ${work}.d
-    COMMENT "suturec ${target}"
+    COMMAND ${CMAKE_COMMAND} -DSUTUREC=${program} -DRSP=${work}.rsp -DWRITTEN=${work}.written "-DOUTPUTS=${outputs}" -P ${script}
+    DEPENDS ${work}.stamp ${script}
+    COMMENT "Files of ${target}"
     VERBATIM)
   set_source_files_properties(${outputs} PROPERTIES GENERATED TRUE)
-  add_custom_target(${target}_suture DEPENDS ${work}.stamp)
+  add_custom_target(${target}_suture DEPENDS ${work}.written)
   add_dependencies(${target} ${target}_suture)
-  target_sources(${target} PRIVATE ${work}.stamp)
+  target_sources(${target} PRIVATE ${work}.written)
 endfunction()
 
 function(suture_compile_schema target schemas stem wire lock_dirs)

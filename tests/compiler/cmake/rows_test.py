@@ -137,6 +137,20 @@ def stale_output(project):
     expect(generated.read_text(encoding="utf-8") == good, "and replaces it", text)
 
 
+def buried_message(project):
+    """What suturec says stands last, and Ninja's lines before it are short, whatever the number of headers."""
+    project.edit("count/sample.h", "  double value = 0;", "  SUTURE_FIELD(unit(\"parsec2000\")) double value = 0;")
+    status, text = project.build()
+    expect(status != 0 and "[suture-unknown-unit]" in text, "suturec fails", text)
+    begin = text.index("] suturec count")
+    before = text[begin:text.index(f"{project.root}/count/sample.h:", begin)]
+    for folder in (project.build_folder, project.package):
+        before = before.replace(str(folder), "")
+    expect(len(before) < 250, "the message is not buried", text)
+    project.edit("count/sample.h", "SUTURE_FIELD(unit(\"parsec2000\")) ", "")
+    project.must_build("a repaired header builds")
+
+
 def bad_header(project):
     """Builds with one bad header of a target: nothing of the others is written, and nothing is half-written."""
     before = project.times()
@@ -202,7 +216,7 @@ def committed(project):
 CONFIGURED = {"no_lock": stops_without_lock}
 BUILT = {row.__name__: row for row in (no_change, touched_header, edited_comment, transitive_header, new_field,
                                        changed_define, added_header, removed_output, stale_output, bad_header,
-                                       interrupted, capnp_interrupted, committed)}
+                                       buried_message, interrupted, capnp_interrupted, committed)}
 
 
 def fails(name, row, project, kept):
