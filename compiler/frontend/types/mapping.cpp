@@ -137,8 +137,9 @@ std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
   if (field.bulk && !makeBulk(result)) {
     error(declaration, "bulk-type",
           subject + " is bulk() but neither a list of numbers nor a large matrix",
-          "drop it; bulk() is for vectors and arrays of numbers, and for matrices that are open or "
-          "have more than 16 coefficients");
+          "drop it; bulk() is for vectors and arrays of numbers, and for matrices whose rows are "
+          "open "
+          "or that have more than 16 coefficients");
   }
   return result;
 }
