@@ -338,10 +338,12 @@ model::Enum mapEnumDeclaration(const EnumDeclaration& declared, Mapping& mapping
                   "declare it as enum class");
   }
   const auto* builtin = declaration->getIntegerType()->getAs<clang::BuiltinType>();
-  const MappedType underlying =
-      builtin ? mapBuiltin(builtin) : TypeProblem{"unsupported-type", "", "use an integer"};
+  MappedType underlying = TypeProblem{"unsupported-type", "", "use an integer"};
+  if (builtin)
+    underlying = declared.isExternal() ? mapForeignBuiltin(builtin) : mapBuiltin(builtin);
   if (const auto* type = std::get_if<model::Type>(&underlying)) {
     result.underlying = type->scalar;
+    result.underlyingType = type->spelling;
   } else {
     mapping.error(
         declaration, std::get<TypeProblem>(underlying).slug,

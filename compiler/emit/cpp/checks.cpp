@@ -7,7 +7,8 @@ namespace {
 void emitEnum(Code& code, const model::Enum& declaration, const std::string& home) {
   const std::string name = relative(declaration.name, home);
   const std::string underlying = cxxScalar(declaration.underlying);
-  code.line("static_assert(std::is_same_v<std::underlying_type_t<", name, ">, ", underlying, ">);");
+  code.line("static_assert(std::is_same_v<std::underlying_type_t<", name, ">, ",
+            declaration.underlyingType, ">);");
   for (const model::Enumerator& enumerator : declaration.enumerators) {
     code.line("static_assert(static_cast<", underlying, ">(", name, "::", enumerator.name,
               ") == ", valueLiteral(declaration, enumerator), ");");

@@ -68,7 +68,7 @@ std::string slotOf(const model::Struct& type, const Context& context) {
 
 void declareTypeChecks(Code& code, const Context& context) {
   for (const model::Enum& type : context.header.enums) {
-    code.line("bool ", enumCheck(type.name, context), "(", cxxScalar(type.underlying), " slot);");
+    code.line("bool ", enumCheck(type.name, context), "(", type.underlyingType, " slot);");
   }
   for (const model::Struct& type : context.header.structs) {
     code.line("bool isValid(const ", slotOf(type, context), "& slot, ", kBreakText,

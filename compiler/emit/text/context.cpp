@@ -69,7 +69,7 @@ std::string slotType(const Type& type, const Context& context, const std::string
   switch (type.shape) {
     case Shape::Scalar:
       return type.scalar == Scalar::Bool ? "std::uint8_t" : cxxScalar(type.scalar);
-    case Shape::Enum: return cxxScalar(context.lookup.findEnum(type.name)->underlying);
+    case Shape::Enum: return context.lookup.findEnum(type.name)->underlyingType;
     case Shape::Struct: return relative(slotStruct(type.name, context.lookup), inNamespace);
     case Shape::Text:
       return open ? "suture::OpenText" : "suture::BoundedText<" + bound(type.capacity) + ">";

@@ -12,7 +12,7 @@ struct EnumNames {
   EnumNames(const model::Enum& type, const std::string& home)
       : cxx(relative(type.name, home)),
         wire("wire::" + type.wireName),
-        slot(cxxScalar(type.underlying)),
+        slot(type.underlyingType),
         isOpen(type.isOpen) {}
 
   /// Spells what a switch over a slot compares. Few integers are values of an enum without a

@@ -19,7 +19,7 @@ WAITS = ["", "", "queue(8)", "latest()", "ttl(20ms)", "queue(4), ttl(1s)"]
 
 
 class Enum:
-    """Is one enum: how it is declared, and its enumerators; values.h takes the first, `Second` and `Third`."""
+    """Is one enum, perhaps one that cannot be edited: how it is declared, and its enumerators; values.h takes the first, `Second` and `Third`."""
 
     def __init__(self, head, enumerators):
         self.head, self.enumerators = head, enumerators
@@ -39,14 +39,14 @@ class Header(Types):
 
     def __init__(self, seed):
         super().__init__(seed, 0)
-        self.name = f"h{seed}"
+        self.seed, self.name = seed, f"h{seed}"
         self.open = True
         self.bases = {}
         self.templates = set()
         self.contract = None
         self.commands = []
         names = self.random.sample(list(random_names.TYPES), 4)
-        self.enums = dict(self.enum(names[0] if i == 0 else f"Choice{i}") for i in range(self.random.randint(1, 2)))
+        self.enums = dict(self.enum(name) for name in [names[0], "Choice"][:self.random.randint(1, 2)])
         for name in names[1:self.random.randint(2, 3)]:
             self.draw_struct(self.random.choice(PLACES).format(name, seed))
         if self.random.randrange(4) == 0:
@@ -58,6 +58,10 @@ class Header(Types):
         more = self.random.sample(random_names.ENUMERATORS, self.random.randint(0, 4))
         last = self.random.choice(["Third", "Third", "Third SUTURE_FIELD(fallback())"])
         enumerators = ["First", *more[:2], "Second = 70", *more[2:], last]
+        if name.startswith("Choice") and self.random.randrange(2) == 0:  # the first type says where generated names are: at home
+            enumerators[-1] = "Third"
+            base = self.random.choice(["", " : char", " : long long", " : unsigned long long", " : std::uint8_t"])
+            return f"vendor{self.seed}::{name}", Enum(f"{self.random.choice(['enum', 'enum class'])} {name}{base}", enumerators)
         nested = self.random.randrange(3) == 0
         head = "enum" if nested and self.random.randrange(2) else "enum class"
         base = self.random.choice(["", " : std::uint8_t", " : std::uint16_t", " : std::int32_t", " : std::int64_t"])
@@ -151,7 +155,8 @@ class Header(Types):
     def header(self):
         lines = [f"namespace {self.name} {{", ""]
         for path, enum in self.enums.items():
-            lines += [*self.placed(path, [f"{enum.head} {{ {', '.join(enum.enumerators)} }};"]), ""]
+            lines += self.placed(path, [f"{enum.head} {{ {', '.join(enum.enumerators)} }};"])
+            lines += [f"SUTURE_EXTERNAL_TYPE({path});", ""] if path.startswith("vendor") else [""]
         for path in self.structs:
             lines += self.struct(path)
         if self.contract:
@@ -185,7 +190,7 @@ class Header(Types):
         return [*self.placed(path, lines), f"SUTURE_EXTERNAL_TYPE({path}, {', '.join(['all()', *stated])});", ""]
 
     def qualified(self, path):
-        return f"::{path}" if path.startswith(("elsewhere", "vendor")) else f"::{self.name}::{path}"
+        return f"::{path}" if is_away(path) else f"::{self.name}::{path}"
 
     @staticmethod
     def wire(struct):
@@ -232,9 +237,10 @@ class Header(Types):
 
     def smaller(self):
         """Yields headers that lack a piece of this one, the largest pieces first."""
-        if self.contract:
+        first = next(iter([*self.enums, *self.structs]), "")
+        if self.contract and not is_away(first):
             yield self.without(lambda copied: copied.drop_contract())
-        for path in [*self.structs, *self.enums]:
+        for path in filter(self.is_needless, [*self.structs, *self.enums]):
             yield self.without(lambda copied, path=path: copied.drop_type(path))
         for path in self.bases:
             yield self.without(lambda copied, path=path: copied.bases.pop(path))
@@ -250,6 +256,11 @@ class Header(Types):
             for word in enum.enumerators:
                 if word.split()[0] not in ("First", "Second", "Third"):
                     yield self.without(lambda copied, path=path, word=word: copied.enums[path].enumerators.remove(word))
+
+    def is_needless(self, path):
+        """Tells if the generated names stay where they are without this type: at home, if the first that is left stands there."""
+        left = [other for other in [*self.enums, *self.structs] if other != path]
+        return self.contract is not None or not left or not is_away(left[0])
 
     def without(self, drop):
         copied = copy.deepcopy(self)
@@ -269,6 +280,11 @@ class Header(Types):
             self.drop_type(path)
         for path, fields in self.structs.items():
             self.structs[path] = [field for field in fields if not names(field.type, gone)]
+
+
+def is_away(path):
+    """Tells if a type stands in another namespace than its header's."""
+    return path.startswith(("elsewhere", "vendor"))
 
 
 def names(type_, path):

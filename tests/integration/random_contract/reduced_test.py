@@ -10,7 +10,7 @@ import sys
 import tempfile
 import unittest
 
-from random_header import Command, Header
+from random_header import Command, Header, is_away
 from random_headers_test import failing
 from random_types import Field
 from reduce import reduced
@@ -22,8 +22,9 @@ SUTURE = parser.parse_args().suture.resolve()
 
 
 def large_header():
-    """Returns the first header with two structs or more, a contract, and room for a fault."""
-    return next(header for header in map(Header, range(1, 100)) if len(header.structs) > 1 and header.contract)
+    """Returns the first header with a contract and two structs, of which the second, which gets the fault, needs no other type."""
+    return next(header for header in map(Header, range(1, 1000))
+                if len(header.structs) > 1 and header.contract and not is_away(list(header.structs)[-1]))
 
 
 class Reduced(unittest.TestCase):

@@ -187,6 +187,7 @@ model::Enum mode() {
   model::Enum result =
       enumerated("robots::Mode", {{"Disabled", -1}, {"HoldStill", 4}, {"Servo", 2}});
   result.underlying = Scalar::Int8;
+  result.underlyingType = "std::int8_t";
   result.doc.text = "What the arm does.";
   result.enumerators[1].doc.text = "Brakes off, set-point frozen.";
   return result;

@@ -17,8 +17,16 @@
 
 namespace device {
 
+/// Have underlying types that no slot has.
+enum class Grade : char { Fair = 'f', Good = 'g' };
+enum Offset : long long { Below = -5'000'000'000, Above = 5'000'000'000 };
+enum class Mask : unsigned long long { None, All = ~0ull };
+
 /// Has text and bytes as old drivers have them, and integers that no slot has.
 struct Packet {
+  Grade grade = Grade::Good;
+  Offset offset = Below;
+  std::map<Mask, std::array<Grade, 2>> masks;
   std::array<char, 5> id{};
   std::vector<char> payload;
   std::vector<char> block;
@@ -32,8 +40,12 @@ struct Packet {
 
 namespace odd {
 
+SUTURE_EXTERNAL_TYPE(device::Grade);
+SUTURE_EXTERNAL_TYPE(device::Offset);
+SUTURE_EXTERNAL_TYPE(device::Mask);
 SUTURE_EXTERNAL_TYPE(device::Packet, all(), member(payload, capacity(16)),
-                     member(block, capacity(8), bulk()), member(parts, capacity(2, 4)));
+                     member(block, capacity(8), bulk()), member(parts, capacity(2, 4)),
+                     member(masks, capacity(2)));
 
 struct SUTURE_TYPE() Text {
   std::int32_t letters = 0;
