@@ -6,7 +6,7 @@ import random
 import re
 
 import random_names
-from random_types import (CHRONO, INTEGERS, NUMBERS, OPEN_EIGEN, Field, Types, declared_values, defined_values, includes)
+from random_types import (CHRONO, NUMBERS, OPEN_EIGEN, Field, Types, declared_values, defined_values, includes)
 
 # What only structs that cannot be edited may have.
 FOREIGN = ["char", "long long", "unsigned long long", "std::array<char, 5>", "std::optional<long long>"]
@@ -15,7 +15,7 @@ PLACES = ["{0}", "{0}", "elsewhere{1}::{0}", "Nest{0}::{0}", "vendor{1}::{0}"]
 # What bulk() takes: columns of fixed length are a list of vectors, not of numbers.
 BULK_EIGEN = {name: bounds for name, bounds in OPEN_EIGEN.items() if not name.startswith("Eigen::Matrix<double, 3")}
 LARGE_EIGEN = ["Eigen::Matrix<double, 6, 6>", "Eigen::Matrix<float, 3, 7>"]
-WAITS = ["", "", "queue(8)", "latest()", "ttl(20ms)", "queue(4), ttl(1s)"]
+WAITS = ["", "", "queue(8)", "latest()", "ttl(20ms)", "queue(4), ttl(1s)", "direct()"]
 
 
 class Enum:
@@ -88,7 +88,7 @@ class Header(Types):
         """Returns a member such as no other draw gives."""
         kind = self.random.randrange(6)
         if kind == 0:
-            field = Field(name, self.random.choice([*NUMBERS, *CHRONO, *self.enums]))
+            field = Field(name, self.random.choice([*NUMBERS, *CHRONO, *self.enums, *self.enums]))
             field.extent = f"[{self.random.randint(1, 4)}]"
         elif kind == 1:
             field = Field(name, self.random.choice(["const void*", "std::unique_ptr<int>"]))
@@ -117,25 +117,36 @@ class Header(Types):
         return [self.command(name) for name in names]
 
     def payload(self):
-        choices = [name for name in self.structs if self.is_copyable(name)]
-        return self.random.choice([*choices, *choices, "std::string", self.simple(), self.random.choice(INTEGERS)])
+        """Returns what a parameter, a result or an event's value may be: a struct, or any other type, annotated as a member is."""
+        structs = [name for name in self.structs if self.is_copyable(name)]
+        if structs and self.random.randrange(2):
+            struct = self.random.choice(structs)
+            return Field("", struct, (), self.owns(struct))
+        while True:
+            field = self.field("")
+            if "unique_ptr" not in field.type and not any(names(field.type, struct) for struct in self.structs):
+                return field
 
     def command(self, name):
         kind = self.random.randrange(5)
-        type_, other = self.payload(), self.payload()
+        value, other = self.payload(), self.payload()
         parameter = self.random.choice([word for word in random_names.MEMBERS if word != name])
         if kind == 0:
-            return Command(f"SUTURE_COMMAND({self.random.choice(WAITS)}) virtual void {name}(const {type_}& {parameter}) = 0;", [type_])
+            how = self.random.choice(WAITS)
+            return Command(f"SUTURE_COMMAND({how}) virtual void {name}({value.parameter(parameter)}) = 0;", [value.type])
         if kind == 1:
-            result = f"const {type_}&" if self.owns(type_) else type_
-            return Command(f"SUTURE_COMMAND() virtual {result} {name}() const = 0;", [type_])
+            result = f"const {value.type}&" if value.owns_heap else value.type
+            return Command(f"SUTURE_COMMAND() {value.annotated()}virtual {result} {name}() const = 0;", [value.type])
         if kind == 2:
-            const = self.random.choice([" const", ""])
-            return Command(f"SUTURE_COMMAND() virtual {type_} {name}(const {other}& {parameter}){const} = 0;", [type_, other])
+            how, const = self.random.choice([("", " const"), ("concurrent()", " const"), ("", ""), ("deadline(2s)", "")])
+            return Command(f"SUTURE_COMMAND({how}) {value.annotated()}virtual {value.type} {name}({other.parameter(parameter)}){const} = 0;",
+                           [value.type, other.type])
         if kind == 3:
             return Command(f"SUTURE_COMMAND() virtual void {name}() = 0;", [])
-        values = self.random.choice([[], [type_], [type_, other]])
-        return Command(f"SUTURE_EVENT({self.random.choice(['', 'latched()', 'queue(4)'])}) suture::EventOf<{', '.join(values)}> {name};", values)
+        values = self.random.choice([[], [value], [value, other]])
+        stated = "".join(f"SUTURE_FIELD({field.annotation()}) " for field in values)
+        return Command(f"SUTURE_EVENT({self.random.choice(['', 'latched()', 'queue(4)'])}) {stated}"
+                       f"suture::EventOf<{', '.join(field.type for field in values)}> {name};", [field.type for field in values])
 
     def owns(self, type_):
         return type_ == "std::string" or type_ in self.structs and any(

@@ -89,8 +89,14 @@ class Field:
         self.notes = ()  # what the annotation says beside the bounds
 
     def declaration(self):
-        annotation = f"SUTURE_FIELD({self.annotation()}) " if self.annotation() else ""
-        return f"  {annotation}{self.plain_declaration()}"
+        return f"  {self.annotated()}{self.plain_declaration()}"
+
+    def annotated(self):
+        """Returns what stands before a declaration."""
+        return f"SUTURE_FIELD({self.annotation()}) " if self.annotation() else ""
+
+    def parameter(self, name):
+        return f"{self.annotated()}const {self.type}& {name}"
 
     def plain_declaration(self):
         return f"{self.type} {self.name}{self.extent}{{}};"
