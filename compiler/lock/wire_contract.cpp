@@ -1,6 +1,7 @@
 #include "compiler/lock/wire_contract.h"
 
 #include "compiler/lock/merge.h"
+#include "compiler/lock/schema/type_place.h"
 
 namespace suture::compiler::lock {
 
@@ -15,11 +16,6 @@ std::map<std::string, Lock> upToDate(const model::Model& model, const Locks& loc
     merged.emplace(path, merge(wanted(header, lookup), header, old, Options().project));
   }
   return merged;
-}
-
-std::string leafOf(const std::string& type) {
-  const std::size_t inner = type.rfind('(') + 1;  // it is 0 if there is no list
-  return type.substr(inner, type.find(')') - inner);
 }
 
 void WireContract::add(const Lock& lock, const std::string& type) {
@@ -39,18 +35,15 @@ void WireContract::add(const Lock& lock, const Member& member) {
 }
 
 PlacedNode WireContract::find(const Lock& lock, const std::string& type) const {
-  const std::string leaf = leafOf(type);
+  const TypePlace place = placeOf(type, lock.path);
   const Lock* home = &lock;
-  std::string name = leaf;
-  if (leaf.starts_with('/')) {
-    const std::size_t colon = leaf.find(':');
-    const auto other = locks_.find(leaf.substr(1, colon - 1));
+  if (place.path != lock.path) {
+    const auto other = locks_.find(place.path);
     if (other == locks_.end()) return {};
     home = &other->second;
-    name = leaf.substr(colon + 1);
   }
   for (const Node& node : home->nodes) {
-    if (node.name == name) return {home, &node};
+    if (node.name == place.name) return {home, &node};
   }
   return {};
 }

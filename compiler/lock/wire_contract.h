@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/lock/schema/lock.h"
+#include "compiler/lock/schema/type_place.h"
 
 namespace suture::compiler::lock {
 
@@ -47,8 +48,5 @@ class WireContract {
   std::vector<PlacedNode> nodes_;
   std::set<const Node*> known_;
 };
-
-/// Returns "Pose" for "List(Pose)".
-std::string leafOf(const std::string& type);
 
 }  // namespace suture::compiler::lock

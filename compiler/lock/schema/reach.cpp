@@ -1,5 +1,7 @@
 #include "compiler/lock/schema/reach.h"
 
+#include "compiler/lock/schema/type_place.h"
+
 namespace suture::compiler::lock {
 namespace {
 
@@ -27,14 +29,8 @@ class Walk {
   }
 
   void visitType(const std::string& path, const std::string& type) {
-    const std::size_t inner = type.rfind('(') + 1;  // it is 0 if there is no list
-    const std::string leaf = type.substr(inner, type.find(')') - inner);
-    const std::size_t colon = leaf.find(':');
-    if (leaf.starts_with('/') && colon != std::string::npos) {
-      visit(leaf.substr(1, colon - 1), leaf.substr(colon + 1));
-    } else {
-      visit(path, leaf);
-    }
+    const TypePlace place = placeOf(type, path);
+    visit(place.path, place.name);
   }
 
   const std::map<std::string, Lock>& locks_;

@@ -2,9 +2,10 @@
 // These translate names between two versions of a schema: types and enumerators are known by name
 // within it, and the versions may call one thing differently.
 
-#include <algorithm>
 #include <map>
 #include <string>
+
+#include "compiler/lock/schema/type_place.h"
 
 namespace suture::compiler::lock {
 
@@ -15,11 +16,8 @@ class Renames {
   /// Returns a type of the old version as the new one spells it: "List(Placement)" for
   /// "List(Pose)".
   std::string apply(const std::string& type) const {
-    const std::size_t begin = type.rfind('(') + 1;  // it is 0 if there is no list
-    const std::size_t end = std::min(type.find(')'), type.size());
-    const auto found = names_.find(type.substr(begin, end - begin));
-    if (found == names_.end()) return type;
-    return type.substr(0, begin) + found->second + type.substr(end);
+    const auto found = names_.find(leafOf(type));
+    return found == names_.end() ? type : withLeaf(type, found->second);
   }
 
  private:
