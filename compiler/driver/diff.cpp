@@ -2,48 +2,93 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "compiler/driver/files.h"
 #include "compiler/lock/differences.h"
+#include "compiler/lock/moves.h"
 
 namespace suture::compiler::driver {
 namespace {
 
 constexpr int kCompatible = 0, kBroken = 1, kNoAnswer = 2;
 
-std::optional<lock::Lock> readLock(const std::string& path) {
-  const std::optional<std::string> text = readText(path);
-  if (!text) {
-    std::cerr << "suturec diff: error: cannot read '" << path << "'\n";
-    return std::nullopt;
+namespace fs = std::filesystem;
+
+/// Prints why the question cannot be answered.
+void complain(const std::string& why) { std::cerr << "suturec diff: error: " << why << "\n"; }
+
+/// Reads a file, which is then the only one of the result, or all schemas below a folder.
+std::optional<lock::Locks> readLocks(const std::string& path) {
+  const bool isFolder = fs::is_directory(path);
+  std::map<std::string, fs::path> files;
+  if (!isFolder) files.emplace("", path);
+  if (isFolder) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
+      if (entry.path().extension() != ".capnp") continue;
+      files.emplace(entry.path().lexically_relative(path).generic_string(), entry.path());
+    }
+  }
+  std::vector<model::Artefact> texts;
+  for (const auto& [name, file] : files) {
+    const std::optional<std::string> text = readText(file);
+    if (!text) {
+      complain("cannot read '" + file.string() + "'");
+      return std::nullopt;
+    }
+    texts.push_back({name, *text});
   }
   model::Diagnostics problems;
-  lock::Locks locks = lock::read({{path, *text}}, problems);
+  lock::Options options;
+  options.folder = path;
+  lock::Locks locks = lock::read(texts, problems, options);
   for (const model::Diagnostic& problem : problems) {
-    std::cerr << path << ":" << problem.source.line << ": error: " << problem.message << " [suture-"
-              << problem.slug << "]\n";
+    std::cerr << (isFolder ? problem.source.file : path) << ":" << problem.source.line
+              << ": error: " << problem.message << " [suture-" << problem.slug << "]\n";
   }
   if (!problems.empty()) return std::nullopt;
-  return std::move(locks.files.begin()->second);
+  return locks;
 }
 
-int tell(const std::vector<lock::Difference>& differences) {
-  for (const lock::Difference& one : differences) std::cout << one.line() << "\n";
-  const auto any = [&](lock::Effect effect) {
-    return std::any_of(differences.begin(), differences.end(),
-                       [effect](const lock::Difference& one) { return one.effect == effect; });
-  };
-  const bool broken = any(lock::Effect::Break);
-  if (differences.empty()) {
+/// Returns the edits of each file; of a file that is gone, what no other one has.
+std::map<std::string, std::vector<lock::Difference>> compare(lock::Locks& old, lock::Locks& now) {
+  const std::vector<lock::Move> moves = lock::movesBetween(old, now);
+  old = lock::relocated(old, moves);
+  for (const auto& [path, before] : old.files) now.files[path].path = path;
+  std::map<std::string, std::vector<lock::Difference>> result;
+  for (auto& [path, after] : now.files) {
+    lock::Lock& before = old.files[path];
+    if (after.text.empty()) after.cxxNamespace = before.cxxNamespace;
+    lock::noteMoves(before, after, old, moves);
+    result[path] = lock::differences(before, after);
+  }
+  return result;
+}
+
+int tell(const std::map<std::string, std::vector<lock::Difference>>& differences) {
+  std::set<lock::Effect> effects;
+  for (const auto& [path, all] : differences) {
+    if (!path.empty() && !all.empty()) std::cout << path << "\n";
+    for (const lock::Difference& one : all) {
+      effects.insert(one.effect);
+      std::cout << (path.empty() ? "" : "  ") << one.line() << "\n";
+    }
+  }
+  const bool broken = effects.contains(lock::Effect::Break);
+  if (effects.empty()) {
     std::cout << "Nothing changed on the wire.\n";
   } else if (broken) {
     std::cout << "Peers and recordings of the old version do not work with the new one.\n";
   } else {
     std::cout << "Messages and recordings of the old version stay readable, and the other way "
                  "round"
-              << (any(lock::Effect::Refusals) ? ", but for the values that are refused.\n" : ".\n");
+              << (effects.contains(lock::Effect::Refusals)
+                      ? ", but for the values that are refused.\n"
+                      : ".\n");
   }
   return broken ? kBroken : kCompatible;
 }
@@ -51,19 +96,26 @@ int tell(const std::vector<lock::Difference>& differences) {
 }  // namespace
 
 int diff(std::vector<std::string> arguments) {
-  CLI::App app{"Says what changed between two locked schemas, and whether old peers still work.",
-               "suturec diff"};
+  CLI::App app{
+      "Says what changed between two locked schemas, or two folders of them, and whether "
+      "old peers still work.",
+      "suturec diff"};
   std::string old, now;
-  app.add_option("old", old, "The schema of before")->required();
-  app.add_option("new", now, "The schema of now")->required();
+  app.add_option("old", old, "The schema of before, or the folder of all of them")->required();
+  app.add_option("new", now, "The schema of now, or their folder")->required();
   try {
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants it
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kCompatible : kNoAnswer;
   }
-  const std::optional<lock::Lock> before = readLock(old), after = readLock(now);
-  return before && after ? tell(lock::differences(*before, *after)) : kNoAnswer;
+  if (fs::is_directory(old) != fs::is_directory(now) && fs::exists(old) && fs::exists(now)) {
+    complain("of '" + old + "' and '" + now + "' one is a folder; name two files or two folders");
+    return kNoAnswer;
+  }
+  std::optional<lock::Locks> before = readLocks(old);
+  std::optional<lock::Locks> after = readLocks(now);
+  return before && after ? tell(compare(*before, *after)) : kNoAnswer;
 }
 
 }  // namespace suture::compiler::driver

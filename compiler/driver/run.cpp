@@ -1,7 +1,9 @@
 #include "compiler/driver/run.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <stdexcept>
 
 #include "compiler/check/check.h"
@@ -77,6 +79,28 @@ std::vector<model::Artefact> lockTexts(const model::Model& model, const Options&
   return texts;
 }
 
+/// Returns the other locks in the folders that have one of these C++ names, in the order of their
+/// paths.
+std::vector<model::Artefact> otherLockTexts(const std::vector<std::string>& names,
+                                            const lock::Locks& locks, const Options& options) {
+  std::map<std::string, std::string> texts;
+  for (const std::string& directory : options.lockDirectories) {
+    if (names.empty() || !fs::is_directory(directory)) continue;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(directory)) {
+      const std::string path = entry.path().lexically_relative(directory).generic_string();
+      if (entry.path().extension() != ".capnp" || locks.files.contains(path)) continue;
+      const std::string text = readText(entry.path()).value_or("");
+      const bool has = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return text.find('"' + name + '"') != std::string::npos;
+      });
+      if (has) texts.emplace(path, text);
+    }
+  }
+  std::vector<model::Artefact> result;
+  for (auto& [path, text] : texts) result.push_back({path, std::move(text)});
+  return result;
+}
+
 class Run {
  public:
   explicit Run(const Options& options)
@@ -98,7 +122,9 @@ class Run {
     dependencies_ = frontend_.dependencies();
     model::Diagnostics findings;
     const auto texts = lockTexts(frontend_.model(), options_, dependencies_);
-    const lock::Locks locks = lock::read(texts, findings, lockOptions_);
+    lock::Locks locks = lock::read(texts, findings, lockOptions_);
+    const auto names = lock::unknownNames(frontend_.model(), locks);
+    lock::readOthers(otherLockTexts(names, locks, options_), locks);
     model_ = lock::settled(frontend_.model(), locks);
     if (!frontend_.report(check::check(model_)) || !frontend_.report(findings)) return false;
     if (options_.updateLock) return updateLock(locks);

@@ -7,6 +7,7 @@
 #include "compiler/lock/differences.h"
 #include "compiler/lock/major_versions.h"
 #include "compiler/lock/merge.h"
+#include "compiler/lock/moves.h"
 #include "compiler/lock/schema/lock.h"
 #include "compiler/lock/schema/wire_type.h"
 #include "compiler/lock/schema/writer.h"
@@ -41,13 +42,17 @@ struct Judged {
 };
 
 /// Calls visit(judged, the lock as it should be) for each own header that has a lock or needs one.
+/// `locks` are relocated() by `moves`.
 template <class Visit>
 void forEachOwn(const model::Model& model, const model::Lookup& lookup, const Locks& locks,
-                const Options& options, const Visit& visit) {
+                const std::vector<Move>& moves, const Options& options, const Visit& visit) {
   for (const model::Header& header : model.headers) {
-    const Judged judged{header, wanted(header, lookup), lockOf(header, locks)};
-    if (!header.own || (!needsLock(header) && judged.old.text.empty())) continue;
-    visit(judged, merge(judged.wanted, header, judged.old, options.project));
+    Lock old = lockOf(header, locks);
+    if (!header.own || (!needsLock(header) && old.text.empty())) continue;
+    std::vector<WantedNode> nodes = wanted(header, lookup);
+    Lock merged = merge(nodes, header, old, options.project);
+    noteMoves(old, merged, locks, moves);
+    visit(Judged{header, std::move(nodes), std::move(old)}, std::move(merged));
   }
 }
 
@@ -217,12 +222,14 @@ Locks withNewIds(Locks locks, const Options& options, std::vector<std::string>& 
   return locks;
 }
 
-/// Gives nodes that are new in a lock an id that no lock has. A type that moved to another header
-/// is a new one there, because the removed one keeps its id.
+/// Gives nodes that are new in a lock an id that no lock has or had.
 void giveFreeIds(std::map<std::string, Lock>& merged, const Locks& old) {
   std::set<std::uint64_t> taken;
-  for (const auto& [path, lock] : old.files) {
-    for (const Node& node : lock.nodes) taken.insert(node.id);
+  for (const auto* const all : {&old.files, &old.others}) {
+    for (const auto& [path, lock] : *all) {
+      for (const Node& node : lock.nodes) taken.insert(node.id);
+      for (const Departure& one : lock.departures) taken.insert(one.id);
+    }
   }
   for (auto& [path, lock] : merged) {
     const auto before = old.files.find(path);
@@ -239,7 +246,7 @@ Diagnostics duplicateIds(const Locks& locks, const Options& options) {
   std::map<std::uint64_t, const Lock*> fileIds;
   for (const auto& [path, lock] : locks.files) {
     const auto [first, fresh] = fileIds.emplace(lock.id, &lock);
-    if (!fresh) {
+    if (!fresh && !lock.text.empty()) {  // one that is not written yet has no id
       result.push_back({{0, options.folder + "/" + path, 1},
                         "lock-duplicate-id",
                         path + " has the id of " + first->second->path,
@@ -265,11 +272,14 @@ Diagnostics duplicateIds(const Locks& locks, const Options& options) {
 
 }  // namespace
 
-Diagnostics check(const model::Model& model, const Locks& locks, const Options& options) {
+Diagnostics check(const model::Model& model, const Locks& committed, const Options& options) {
+  const Moves moves = findMoves(model, committed, options);
+  const Locks locks = relocated(committed, moves.all);
   Diagnostics all = duplicateIds(locks, options);
+  append(all, moves.refused);
   const model::Lookup lookup(model);
   const WireNames names(model, lookup);
-  forEachOwn(model, lookup, locks, options, [&](const Judged& judged, const Lock& merged) {
+  const auto judge = [&](const Judged& judged, const Lock& merged) {
     append(all, names.clashes(judged.header, judged.wanted));
     append(all, clashesWithOwn(judged.wanted));
     append(all, names.clashesWithRemoved(judged.header, merged));
@@ -286,19 +296,24 @@ Diagnostics check(const model::Model& model, const Locks& locks, const Options& 
     if (!told && withoutComments(write(merged)) != withoutComments(judged.old.text)) {
       all.push_back(stale(judged, options));
     }
-  });
+  };
+  forEachOwn(model, lookup, locks, moves.all, options, judge);
   return all;
 }
 
 Update update(const model::Model& model, const Locks& committed, const Options& options) {
   Update result;
-  const Locks locks = withNewIds(committed, options, result.unknownIds);
+  const Locks renewed = withNewIds(committed, options, result.unknownIds);
+  const Moves moves = findMoves(model, renewed, options);
+  const Locks locks = relocated(renewed, moves.all);
   append(result.diagnostics, duplicateIds(locks, options));
+  append(result.diagnostics, moves.refused);
   const model::Lookup lookup(model);
   const WireNames names(model, lookup);
   std::map<std::string, Lock> merged = locks.files;
   std::set<std::string> own, broken;
-  forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Lock lock) {
+  std::map<std::string, Lock> before;
+  forEachOwn(model, lookup, locks, moves.all, options, [&](const Judged& judged, Lock lock) {
     append(result.diagnostics, names.clashes(judged.header, judged.wanted));
     append(result.diagnostics, clashesWithOwn(judged.wanted));
     append(result.diagnostics, names.clashesWithRemoved(judged.header, lock));
@@ -307,6 +322,7 @@ Update update(const model::Model& model, const Locks& committed, const Options& 
     const std::string path = judged.old.path;
     for (const std::string& node : found.broken) broken.insert(path + ":" + node);
     own.insert(path);
+    before[path] = judged.old;
     merged[path] = std::move(lock);
   });
   giveFreeIds(merged, locks);
@@ -314,11 +330,9 @@ Update update(const model::Model& model, const Locks& committed, const Options& 
   for (const std::string& path : own) {
     const auto old = committed.files.find(path);
     std::string text = write(merged.at(path));
-    if (old != committed.files.end()) {
-      if (text == old->second.text) continue;
-      for (const Difference& one : differences(old->second, merged.at(path))) {
-        result.changes[path].push_back(one.line());
-      }
+    if (old != committed.files.end() && text == old->second.text) continue;
+    for (const Difference& one : differences(before.at(path), merged.at(path))) {
+      result.changes[path].push_back(one.line());
     }
     result.files.push_back({path, std::move(text)});
   }

@@ -63,10 +63,11 @@ class Nodes {
 class Comparison {
  public:
   std::vector<Difference> run(const Lock& old, const Lock& now) {
-    if (old.cxxNamespace != now.cxxNamespace) {
+    if (!old.text.empty() && old.cxxNamespace != now.cxxNamespace) {
       add(Change::Policy, Effect::None, {}, {}, "the schema",
           " is in namespace " + now.cxxNamespace + " instead of " + old.cxxNamespace);
     }
+    addMoves(old, now);
     const Nodes nodes(now);
     std::set<const Node*> known;
     for (const Node& node : old.nodes) {
@@ -76,9 +77,11 @@ class Comparison {
       renames_.add(node.name, same->name);
       if (node.kind == Node::Kind::Enum) addEnumerators(node, *same);
     }
-    for (const Node& node : old.nodes) compare(node, nodes.find(node));
+    for (const Node& node : old.nodes) {
+      if (!left_.contains(node.id)) compare(node, nodes.find(node));
+    }
     for (const Node& node : now.nodes) {
-      if (!known.contains(&node)) {
+      if (!old.text.empty() && !known.contains(&node)) {
         add(Change::New, Effect::None, {}, {&node}, titleOf(node), " is new");
       }
     }
@@ -91,6 +94,23 @@ class Comparison {
     found_.push_back(
         {change, effect, before, now, "", "", std::move(subject), std::move(detail), ""});
     return found_.back();
+  }
+
+  /// Adds what has left the file, and what the file names where it is now.
+  void addMoves(const Lock& old, const Lock& now) {
+    for (const Departure& one : now.departures) {
+      const auto& before = old.departures;
+      const bool isHere = std::any_of(now.nodes.begin(), now.nodes.end(),
+                                      [&](const Node& node) { return node.id == one.id; });
+      if (isHere || std::find(before.begin(), before.end(), one) != before.end()) continue;
+      left_.insert(one.id);
+      renames_.add(one.name, one.to.text());
+      add(Change::Moved, Effect::None, {}, {}, one.name, " moved to /" + one.to.path);
+    }
+    for (const auto& [before, after] : old.followed) {
+      add(Change::Moved, Effect::None, {}, {}, "the schema",
+          " names " + after + " instead of " + before);
+    }
   }
 
   void addEnumerators(const Node& old, const Node& now) {
@@ -107,6 +127,9 @@ class Comparison {
     if (now->id != old.id) say(Change::Identity, Effect::Break, " has another id");
     if (now->kind != old.kind) {
       return say(Change::Kind, Effect::Break, " became " + titleOf(*now));
+    }
+    if (old.cameFrom) {
+      say(Change::Moved, Effect::None, " was " + old.cameFrom->text() + " before");
     }
     if (now->name != old.name) {
       say(Change::Renamed, Effect::None, " is called " + now->name + " now");
@@ -314,6 +337,7 @@ class Comparison {
   }
 
   std::vector<Difference> found_;
+  std::set<std::uint64_t> left_;  // ids of nodes that another file has now
   Renames renames_;
   EnumeratorNames enumerators_;
 };

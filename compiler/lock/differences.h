@@ -21,6 +21,7 @@ enum class Change {
   New,
   Removed,
   Renamed,  ///< on the wire
+  Moved,    ///< to or from another file, or something that the file names is elsewhere
   Kind,     ///< such as a struct that became an enum
   Type,
   Meaning,    ///< an annotation that says what bytes mean (kMeaningful)
@@ -56,7 +57,8 @@ struct Difference {
   std::string line() const;
 };
 
-/// Returns the edits in the order of the old version's text, and behind them what is new.
+/// Returns the edits in the order of the old version's text, and behind them what is new. If there
+/// is no old text, because all came from other files, that is all that it tells.
 std::vector<Difference> differences(const Lock& old, const Lock& now);
 
 }  // namespace suture::compiler::lock

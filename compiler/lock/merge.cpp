@@ -215,8 +215,15 @@ class Merger {
 
   /// Keeps the default that the lock has, because capnp stores values relative to it; if C++ has
   /// another since then, that is written beside it.
-  static void freezeDefault(Member& member, const std::string& locked) {
+  void freezeDefault(Member& member, const std::string& locked) const {
     if (member.defaultValue == locked) return;
+    // The enum may have been foreign so far, and the zero of the wire was spelled out.
+    Member spelled = member;
+    spelled.defaultValue = locked;
+    if (member.defaultValue == withDefault(spelled).defaultValue) {
+      member.defaultValue = locked;
+      return;
+    }
     // Only the lock of its own header knows which enumerator of a foreign enum is the zero.
     const bool isForeign = member.type.starts_with('/');
     if (!isForeign || !locked.empty()) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/lock/moves.h"
 #include "compiler/lock/prefixes.h"
 #include "compiler/lock/schema/wire_type.h"
 #include "compiler/lock/wanted.h"
@@ -182,7 +183,8 @@ void settle(model::Enum& type, const Node* node) {
 
 }  // namespace
 
-model::Model settled(const model::Model& model, const Locks& locks) {
+model::Model settled(const model::Model& model, const Locks& committed) {
+  const Locks locks = relocated(committed, findMoves(model, committed, {}).all);
   const model::Lookup lookup(model);
   model::Model result = model;
   settlePrefixes(result, locks);

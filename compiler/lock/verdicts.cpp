@@ -38,6 +38,7 @@ class Judge {
       case Change::New: return addPending(one, "lock-new");
       case Change::Removed: return addPending(one, "lock-removed");
       case Change::Renamed: return addPending(one, "lock-renamed");
+      case Change::Moved: return addPending(one, "lock-moved");
       case Change::Limit: return addPending(one, "lock-range");
       default: break;
     }
@@ -127,14 +128,19 @@ class Judge {
     const bool isNode = one.before.member == nullptr;
     const unsigned line = isNode ? one.before.node->line : one.before.member->line;
     const std::string text = isNode ? one.before.node->name : describe(*one.before.member);
-    return {{{0, options_.folder + "/" + old_.path, line}, "the lock has: " + text}};
+    return {{{0, pathOf(*one.before.node), line}, "the lock has: " + text}};
   }
 
   std::string where(const Difference& one) const {
-    const std::string path = options_.folder + "/" + old_.path;
-    if (one.before.node == nullptr) return path;
+    if (one.before.node == nullptr) return options_.folder + "/" + old_.path;
+    const std::string path = pathOf(*one.before.node);
     const bool isPart = one.before.member != nullptr;
     return path + ":" + std::to_string(isPart ? one.before.member->line : one.before.node->line);
+  }
+
+  /// Returns the file that has the line of the node.
+  std::string pathOf(const Node& node) const {
+    return options_.folder + "/" + (node.cameFrom ? node.cameFrom->path : old_.path);
   }
 
   const model::Header& header_;

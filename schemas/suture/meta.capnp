@@ -8,6 +8,10 @@ $Cxx.namespace("suture::wire::meta");
 annotation header @0xfa75b35d473ef8a4 (file) :Text;
 # The annotated header that this schema locks.
 
+annotation formerly @0x9f4be6a80d1c7352 (file) :Text;
+# What this file called so, and where it is now: "Pose @0x9b87d70f9fe9600f /arm/arm.capnp:Placement".
+# A schema that was locked before the move names it here.
+
 annotation cxx @0xd470381940aa15b6 (struct, enum, interface, field, enumerant, method, param) :Text;
 # The C++ name: qualified on a type, plain elsewhere and then only where it is not the wire name.
 

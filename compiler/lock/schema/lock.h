@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/lock/schema/type_place.h"
 #include "compiler/model/artefact.h"
 #include "compiler/model/diagnostic.h"
 #include "compiler/model/model.h"
@@ -61,8 +62,19 @@ struct Node {
   std::vector<Member> members;  ///< in the order of the ordinals, without a gap
   std::string doc;
   unsigned line = 0;
+  /// Is where the node stands in the files as they are, if relocated() has moved it.
+  std::optional<TypePlace> cameFrom;
 
   bool removed() const { return annotations.contains("removed"); }
+};
+
+/// Says what a node that a lock had is called now, and where.
+struct Departure {
+  std::string name;      ///< in the lock that it has left, or in which it has another name now
+  std::uint64_t id = 0;  ///< of the node
+  TypePlace to;          ///< when it left; it may have moved on since then
+
+  bool operator==(const Departure&) const = default;
 };
 
 /// Is one lock file.
@@ -73,11 +85,17 @@ struct Lock {
   std::string cxxNamespace;
   std::string header;
   std::vector<Node> nodes;
+  std::vector<Departure> departures;
+  /// Maps what the file as it is names by an import to the name that relocated() gave it.
+  std::map<std::string, std::string> followed;
 };
 
-/// Holds every lock that exists, by path.
+/// Holds the locks of all headers of a run, by path.
 struct Locks {
   std::map<std::string, Lock> files;
+  /// Holds locks of headers that the run does not see, where was() may find what they had. They are
+  /// never written.
+  std::map<std::string, Lock> others{};
 };
 
 struct Options {
@@ -101,8 +119,8 @@ struct Update {
   std::vector<model::Artefact> files;     ///< whole new texts, only those that differ from the old
   model::Diagnostics diagnostics;         ///< breaking edits, which an update refuses as well
   std::vector<std::string> unknownIds{};  ///< those of options.newIds that no lock has
-  /// Holds what `suturec diff` says of the old and the new text, line by line, by the path of each
-  /// file that was there before.
+  /// Holds what `suturec diff` says of the old and the new text, line by line, by path. Of a new
+  /// file it says what came from others.
   std::map<std::string, std::vector<std::string>> changes{};
 };
 
@@ -117,6 +135,13 @@ bool needsLock(const model::Header& header);
 /// and left out, so that check and update must not be called after an error.
 Locks read(const std::vector<model::Artefact>& texts, model::Diagnostics& diagnostics,
            const Options& options = {});
+
+/// Returns the C++ names, also those of before, of what own headers declare and no lock has. Locks
+/// that have them too are to be read by readOthers().
+std::vector<std::string> unknownNames(const model::Model& model, const Locks& locks);
+
+/// Adds the locks of other headers that parse. An unreadable one is the concern of its own header.
+void readOthers(const std::vector<model::Artefact>& texts, Locks& locks);
 
 /// Judges own headers against their locks. A break is an error that names the field and the lock's
 /// line; a new thing that the lock does not know is an error that names the command; what the wire

@@ -176,7 +176,25 @@ class Parser {
       lock.cxxNamespace = suffix == std::string::npos ? "" : value.substr(0, suffix);
     }
     if (name == "Meta.header") lock.header = value;
+    if (name == "Meta.formerly") lock.departures.push_back(departure(value));
     expect(";");
+  }
+
+  /// Returns what "Pose @0x9b87d70f9fe9600f /arm/arm.capnp:Placement" says.
+  Departure departure(const std::string& text) const {
+    const std::size_t at = text.find(" @0x"), slash = text.find(" /");
+    const std::size_t colon = text.rfind(':');
+    Departure result;
+    if (at != std::string::npos && slash != std::string::npos && colon != std::string::npos &&
+        at < slash && slash < colon) {
+      result.name = text.substr(0, at);
+      result.id = std::strtoull(text.c_str() + at + 2, nullptr, 16);
+      result.to = {text.substr(slash + 2, colon - slash - 2), text.substr(colon + 1)};
+    }
+    if (result.id >> 63 == 0) {
+      throw SyntaxError(peek().line, "expected \"Name @0xid /path:Name\", found \"" + text + "\"");
+    }
+    return result;
   }
 
   /// Returns the type with the alias resolved: "List(/arm/arm.capnp:Pose)" for "List(Arm.Pose)".

@@ -41,4 +41,14 @@ Locks read(const std::vector<model::Artefact>& texts, model::Diagnostics& diagno
   return locks;
 }
 
+void readOthers(const std::vector<model::Artefact>& texts, Locks& locks) {
+  for (const auto& [path, text] : texts) {
+    try {
+      locks.others.emplace(path, parse(path, text));
+    } catch (const SyntaxError&) {
+      continue;
+    }
+  }
+}
+
 }  // namespace suture::compiler::lock

@@ -184,6 +184,10 @@ std::string write(const Lock& lock) {
   }
   text += "$Cxx.namespace(" + quoted(model::wireNamespace(lock.cxxNamespace)) + ");\n";
   text += "$Meta.header(" + quoted(lock.header) + ");\n";
+  for (const Departure& one : lock.departures) {
+    text +=
+        "$Meta.formerly(" + quoted(one.name + " " + idText(one.id) + " " + one.to.text()) + ");\n";
+  }
   for (const Node& node : lock.nodes) text += "\n" + write(node, aliases);
   return text;
 }

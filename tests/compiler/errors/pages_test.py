@@ -29,8 +29,8 @@ BEFORE = {
 }
 
 # These pages show what to run or to include instead of what to write.
-WITHOUT_EXAMPLE = {"enum-size", "forgotten-include", "lock-conflict", "lock-duplicate-id", "lock-missing", "lock-new", "lock-newer",
-                   "lock-renamed", "lock-stale", "lock-syntax", "nesting", "own-generated-include", "slot-size"}
+WITHOUT_EXAMPLE = {"enum-size", "forgotten-include", "lock-conflict", "lock-duplicate-id", "lock-missing", "lock-moved", "lock-new",
+                   "lock-newer", "lock-renamed", "lock-stale", "lock-syntax", "nesting", "own-generated-include", "slot-size"}
 
 STANDARD = {"array": "array", "optional": "optional", "vector": "vector", "string": "string", "map": "map", "deque": "deque",
             "variant": "variant", "unique_ptr": "memory", "function": "functional", "string_view": "string_view",

@@ -1,0 +1,414 @@
+#include "compiler/lock/moves.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "compiler/lock/wanted.h"
+
+namespace suture::compiler::lock {
+namespace {
+
+const Node* nodeWithId(const Lock& lock, std::uint64_t id) {
+  for (const Node& node : lock.nodes) {
+    if (node.id == id) return &node;
+  }
+  return nullptr;
+}
+
+const Node* nodeNamed(const Lock& lock, const std::string& name) {
+  for (const Node& node : lock.nodes) {
+    if (node.name == name) return &node;
+  }
+  return nullptr;
+}
+
+const Lock* lockAt(const Locks& locks, const std::string& path) {
+  for (const auto* const all : {&locks.files, &locks.others}) {
+    if (const auto found = all->find(path); found != all->end()) return &found->second;
+  }
+  return nullptr;
+}
+
+/// Tells if the node stands for a declaration, and is no composite.
+bool isDeclared(const Node& node) { return identity(node) != node.name; }
+
+/// Returns the node that `place` names, null if no lock has it.
+const Node* nodeAt(const Locks& locks, const TypePlace& place) {
+  const Lock* const lock = lockAt(locks, place.path);
+  return lock == nullptr ? nullptr : nodeNamed(*lock, place.name);
+}
+
+/// Calls visit(type) for each type that the member names.
+template <class OneMember, class Visit>
+void forEachType(OneMember& member, const Visit& visit) {
+  visit(member.type);
+  for (auto& parameter : member.parameters) forEachType(parameter, visit);
+  for (auto& result : member.results) forEachType(result, visit);
+}
+
+template <class OneNode, class Visit>
+void forEachType(OneNode& node, std::vector<std::string>& bases, const Visit& visit) {
+  for (std::string& base : bases) visit(base);
+  for (auto& member : node.members) forEachType(member, visit);
+}
+
+class Finder {
+ public:
+  Finder(const model::Model& model, const Locks& locks, const Options& options)
+      : locks_(locks), options_(options) {
+    const model::Lookup lookup(model);
+    for (const model::Header& header : model.headers) {
+      Home& home = homes_[lockPath(header.path)];
+      home = {&header, wanted(header, lookup), {}};
+      for (const WantedNode& one : home.wanted) home.identities.insert(identity(one.node));
+    }
+  }
+
+  std::vector<std::string> unknownNames() {
+    std::vector<std::string> names;
+    const Moves moves = run();
+    std::set<TypePlace> arrived;
+    for (const Move& one : moves.all) arrived.insert(one.to);
+    for (const auto& [path, home] : homes_) {
+      const Lock* const lock = lockAt(locks_, path);
+      for (const WantedNode& one : home.wanted) {
+        const bool isKnown =
+            (lock != nullptr && find(*lock, identity(one.node), false) != nullptr) ||
+            arrived.contains({path, one.node.name});
+        if (!home.header->own || isKnown || !isDeclared(one.node)) continue;
+        names.push_back(one.cxxName);
+        if (one.was) names.push_back(*one.was);
+      }
+    }
+    return names;
+  }
+
+  Moves run() {
+    for (const auto& [path, home] : homes_) {
+      for (const WantedNode& one : home.wanted) {
+        if (isDeclared(one.node)) look(path, home, one);
+      }
+    }
+    for (std::size_t i = 0; i < moves_.all.size(); ++i) addComposites(Move(moves_.all[i]));
+    addDepartures();
+    return std::move(moves_);
+  }
+
+ private:
+  struct Home {
+    const model::Header* header = nullptr;
+    std::vector<WantedNode> wanted;
+    std::set<std::string> identities;
+  };
+
+  /// Looks for the node that `wanted` had so far.
+  void look(const std::string& path, const Home& home, const WantedNode& wanted) {
+    const Lock* const lock = lockAt(locks_, path);
+    const std::string now = identity(wanted.node), former = formerIdentity(wanted);
+    if (const Node* const node = lock == nullptr ? nullptr : find(*lock, now, false)) {
+      return leave(*node, {path, node->name});
+    }
+    const Node* const before = lock == nullptr ? nullptr : find(*lock, former, true);
+    if (before != nullptr) return add({path, before->name}, {path, wanted.node.name}, before->id);
+    if (arriveFromKnown(path, home, wanted) || former.empty() || !home.header->own) return;
+    for (const auto& [other, from] : locks_.others) {
+      const Node* const node = find(from, former, true);
+      if (node != nullptr) return add({other, node->name}, {path, wanted.node.name}, node->id);
+    }
+  }
+
+  /// Looks in the locks of the other headers of the run. Returns true if one had it.
+  bool arriveFromKnown(const std::string& path, const Home& home, const WantedNode& wanted) {
+    const std::string now = identity(wanted.node);
+    for (const std::string& name : {now, formerIdentity(wanted)}) {
+      for (const auto& [other, from] : locks_.files) {
+        const Node* const node = other == path ? nullptr : find(from, name, name != now);
+        if (node == nullptr || isDeclaredIn(other, *node)) continue;
+        arrive(*node, {other, node->name}, home, wanted);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static const Node* find(const Lock& lock, const std::string& name, bool living) {
+    if (name.empty()) return nullptr;
+    for (const Node& node : lock.nodes) {
+      if (identity(node) == name && !(living && node.removed())) return &node;
+    }
+    return nullptr;
+  }
+
+  /// Tells if a header still declares the node of its lock.
+  bool isDeclaredIn(const std::string& path, const Node& node) const {
+    const auto home = homes_.find(path);
+    return home != homes_.end() && home->second.identities.contains(identity(node));
+  }
+
+  bool isOwn(const std::string& path) const {
+    const auto home = homes_.find(path);
+    return home != homes_.end() && home->second.header->own;
+  }
+
+  /// Lets go what another lock has already taken over.
+  void leave(const Node& taken, const TypePlace& to) {
+    for (const auto& [path, lock] : locks_.files) {
+      const Node* const node = path == to.path ? nullptr : nodeWithId(lock, taken.id);
+      if (node == nullptr || !isOwn(path) || isDeclaredIn(path, *node)) continue;
+      add({path, node->name}, to, node->id);
+    }
+  }
+
+  void arrive(const Node& node, const TypePlace& from, const Home& home, const WantedNode& wanted) {
+    if (!isOwn(from.path)) return;
+    const TypePlace to{lockPath(home.header->path), wanted.node.name};
+    if (!home.header->own) {
+      if (node.removed()) return;
+      refuse(from, to, wanted);
+    }
+    add(from, to, node.id);
+  }
+
+  void add(const TypePlace& from, const TypePlace& to, std::uint64_t id) {
+    if (from == to || !known_.insert(from).second) return;
+    moves_.all.push_back({from, to, id});
+  }
+
+  void refuse(const TypePlace& from, const TypePlace& to, const WantedNode& wanted) {
+    const model::Header& header = *homes_.at(from.path).header;
+    moves_.refused.push_back(
+        {{0, header.path, 0},
+         "lock-moved",
+         wanted.title + " is of another target now, and " + options_.folder + "/" + to.path +
+             " does not have what " + from.path + " calls " + from.name,
+         "say was() on it in that header, and update the lock of that target first",
+         {{wanted.source, wanted.title + " is declared here"}}});
+  }
+
+  /// Lets composites follow a node that nothing else in its old file needs.
+  void addComposites(const Move& move) {
+    const Lock* const lock = move.isRename() ? nullptr : lockAt(locks_, move.from.path);
+    const Node* const node = lock == nullptr ? nullptr : nodeNamed(*lock, move.from.name);
+    if (node == nullptr) return;
+    const Lock* const target = lockAt(locks_, move.to.path);
+    for (const Member& member : node->members) {
+      forEachType(member, [&](const std::string& type) {
+        const TypePlace place = placeOf(type, lock->path);
+        const Node* const part = nodeAt(locks_, place);
+        if (place.path != lock->path || part == nullptr || isDeclared(*part)) return;
+        if (part->removed() || isWanted(place)) return;
+        const Node* const taken = target == nullptr ? nullptr : nodeWithId(*target, part->id);
+        add(place, {move.to.path, taken == nullptr ? part->name : taken->name}, part->id);
+      });
+    }
+  }
+
+  bool isWanted(const TypePlace& place) const {
+    const auto home = homes_.find(place.path);
+    if (home == homes_.end()) return isUsed(place);
+    const std::vector<WantedNode>& all = home->second.wanted;
+    return std::any_of(all.begin(), all.end(),
+                       [&](const WantedNode& one) { return one.node.name == place.name; });
+  }
+
+  /// Tells if something that stays in the lock names it.
+  bool isUsed(const TypePlace& place) const {
+    bool used = false;
+    for (const Node& node : lockAt(locks_, place.path)->nodes) {
+      if (node.removed() || known_.contains({place.path, node.name})) continue;
+      for (const Member& member : node.members) {
+        forEachType(member, [&](const std::string& type) {
+          used = used || placeOf(type, place.path) == place;
+        });
+      }
+    }
+    return used;
+  }
+
+  /// Adds what moved before: a lock of a target that was not updated since names it as it was.
+  void addDepartures() {
+    for (const auto& [path, lock] : locks_.files) {
+      for (const Departure& one : lock.departures) {
+        const TypePlace from{path, one.name};
+        const TypePlace to = homeOf(one);
+        if (nodeAt(locks_, from) != nullptr) continue;
+        add(from, to, one.id);
+      }
+    }
+  }
+
+  /// Returns where the thing is now, which may have moved on.
+  TypePlace homeOf(const Departure& departure) const {
+    TypePlace place = departure.to;
+    std::set<std::string> seen;
+    while (seen.insert(place.path).second) {
+      const Lock* const lock = lockAt(locks_, place.path);
+      if (lock == nullptr) break;
+      if (const Node* const node = nodeWithId(*lock, departure.id)) {
+        return moved({place.path, node->name});
+      }
+      for (const Departure& one : lock->departures) {
+        if (one.id == departure.id && one.to.path != place.path) place = one.to;
+      }
+    }
+    return place;
+  }
+
+  /// Returns where a node of a lock goes in this run.
+  TypePlace moved(const TypePlace& place) const {
+    for (const Move& move : moves_.all) {
+      if (move.from == place) return move.to;
+    }
+    return place;
+  }
+
+  const Locks& locks_;
+  const Options& options_;
+  std::map<std::string, Home> homes_;
+  std::set<TypePlace> known_;
+  Moves moves_;
+};
+
+class Relocation {
+ public:
+  Relocation(const Locks& locks, const std::vector<Move>& moves) : locks_(locks) {
+    for (const Move& move : moves) moves_.emplace(move.from, move);
+  }
+
+  Locks run() const {
+    Locks result = locks_;
+    for (auto& [path, lock] : result.files) {
+      std::erase_if(lock.nodes, [&](const Node& node) { return leaves(path, node); });
+      for (Node& node : lock.nodes) respell(node, path, path, &lock.followed);
+    }
+    for (const auto& [from, move] : moves_) {
+      const Node* const node = nodeAt(locks_, from);
+      if (node == nullptr || !leaves(from.path, *node)) continue;
+      Lock& target = result.files[move.to.path];
+      target.path = move.to.path;
+      if (nodeWithId(target, node->id) != nullptr) continue;
+      Node arrived = *node;
+      arrived.name = move.to.name;
+      arrived.cameFrom = from;
+      respell(arrived, from.path, target.path, nullptr);
+      target.nodes.push_back(std::move(arrived));
+    }
+    return result;
+  }
+
+ private:
+  bool leaves(const std::string& path, const Node& node) const {
+    const auto move = moves_.find({path, node.name});
+    return move != moves_.end() && !move->second.isRename() && move->second.id == node.id;
+  }
+
+  /// Spells what a node names from the file `inside`, where it is, while it stood in `home`.
+  void respell(Node& node, const std::string& home, const std::string& inside,
+               std::map<std::string, std::string>* followed) const {
+    forEachType(node, node.extends, [&](std::string& type) {
+      const TypePlace before = placeOf(type, home);
+      const auto move = moves_.find(before);
+      const bool isKept =
+          move == moves_.end() || (move->second.isRename() && before.path == inside);
+      const TypePlace& now = isKept ? before : move->second.to;
+      if (isKept && (home == inside || nodeAt(locks_, before) == nullptr)) return;
+      type = withLeaf(type, now.spelled(inside));
+      const bool isForeign = before.path != inside && now.path != inside;
+      if (followed != nullptr && isForeign) followed->emplace(before.text(), now.text());
+    });
+  }
+
+  const Locks& locks_;
+  std::map<TypePlace, Move> moves_;
+};
+
+/// Replaces what a placeholder names by something of its size that names nothing.
+class Placeholders {
+ public:
+  Placeholders(const Locks& locks, const std::vector<Move>& moves) : locks_(locks) {
+    for (const Move& move : moves) {
+      places_.insert(move.to);
+      if (!move.isRename()) ids_.insert(move.id);
+    }
+  }
+
+  void run(Lock& old, Lock& merged) const {
+    for (Node& node : merged.nodes) {
+      const auto before = std::find_if(old.nodes.begin(), old.nodes.end(),
+                                       [&](const Node& one) { return one.id == node.id; });
+      for (std::size_t i = 0; i < node.members.size(); ++i) {
+        if (!node.removed() && !node.members[i].removed()) continue;
+        forget(node, node.members[i], merged.path);
+        if (before == old.nodes.end() || i >= before->members.size()) continue;
+        if (node.removed() || before->members[i].removed()) {
+          forget(node, before->members[i], merged.path);
+        }
+      }
+    }
+  }
+
+ private:
+  void forget(const Node& owner, Member& member, const std::string& inside) const {
+    forEachType(member, [&](std::string& type) {
+      const TypePlace place = placeOf(type, inside);
+      const bool hasMoved = places_.contains(place) || ids_.contains(owner.id);
+      const Node* const named = nodeAt(locks_, place);
+      if (place.path == inside || !hasMoved || named == nullptr) return;
+      const bool isEnum = named->kind == Node::Kind::Enum && leafOf(type) == type;
+      type = isEnum ? "UInt16" : "AnyPointer";
+    });
+  }
+
+  const Locks& locks_;
+  std::set<TypePlace> places_;
+  std::set<std::uint64_t> ids_;
+};
+
+}  // namespace
+
+std::vector<std::string> unknownNames(const model::Model& model, const Locks& locks) {
+  return Finder(model, locks, {}).unknownNames();
+}
+
+Moves findMoves(const model::Model& model, const Locks& locks, const Options& options) {
+  return Finder(model, locks, options).run();
+}
+
+std::vector<Move> movesBetween(const Locks& old, const Locks& now) {
+  std::map<std::uint64_t, TypePlace> places;
+  for (const auto& [path, lock] : now.files) {
+    for (const Node& node : lock.nodes) places.emplace(node.id, TypePlace{path, node.name});
+  }
+  std::vector<Move> moves;
+  for (const auto& [path, lock] : old.files) {
+    const Lock* const same = lockAt(now, path);
+    for (const Node& node : lock.nodes) {
+      const bool isHere = same != nullptr && nodeWithId(*same, node.id) != nullptr;
+      const auto found = places.find(node.id);
+      if (found == places.end() || (isHere && found->second.path != path)) continue;
+      Move move{{path, node.name}, found->second, node.id};
+      if (!isDeclared(node)) move.to.name = node.name;
+      if (move.from != move.to) moves.push_back(std::move(move));
+    }
+  }
+  return moves;
+}
+
+Locks relocated(const Locks& locks, const std::vector<Move>& moves) {
+  return Relocation(locks, moves).run();
+}
+
+void noteMoves(Lock& old, Lock& merged, const Locks& locks, const std::vector<Move>& moves) {
+  Placeholders(locks, moves).run(old, merged);
+  for (const Move& move : moves) {
+    const auto isThis = [&](const Departure& one) { return one.name == move.from.name; };
+    auto& all = merged.departures;
+    if (move.from.path != merged.path || std::any_of(all.begin(), all.end(), isThis)) continue;
+    all.push_back({move.from.name, move.id, move.to});
+  }
+  std::erase_if(merged.departures,
+                [&](const Departure& one) { return nodeNamed(merged, one.name) != nullptr; });
+}
+
+}  // namespace suture::compiler::lock
