@@ -2,8 +2,9 @@
 
   batch.py --suturec SUTUREC --out FOLDER -- FLAGS...
 
-FOLDER/v1 and FOLDER/v2 get edits.h, one contract with every compatible edit, and breaks.h, a contract for each that breaks;
-their locks, what suturec writes from them, and versioned.h: what the peers of this version do otherwise than those of the other.
+FOLDER/v1 and FOLDER/v2 get edits.h, one contract with every compatible edit, and breaks.h, a contract for each that breaks. What
+edits have in another header is in parts.h and elsewhere.h. Beside the headers are their locks, what suturec writes from them, and
+versioned.h: what the peers of this version do otherwise than those of the other.
 """
 
 import argparse
@@ -89,13 +90,21 @@ def rows(edits, version):
     return [(edit, getattr(edit, version) or edit.old) for edit in edits]
 
 
-def edits_header(version):
+def beside(path, chosen):
+    """Returns the header with the types of these edits that stand elsewhere, and the line that includes it."""
+    elsewhere = "".join(edit.text(side.elsewhere) for edit, side in chosen)
+    return {path: within("edits", elsewhere)} if elsewhere else {}, f'\n#include "{path}"\n' if elsewhere else ""
+
+
+def edits_headers(version):
     chosen = rows(COMPATIBLE, version)
+    headers, include = beside("edits/parts.h", chosen)
     carried = [edit for edit, side in chosen if side.has_struct]
     record = "struct SUTURE_TYPE() Record {\n" + "".join(f"  {edit.title} {member(edit)};\n" for edit in carried) + "};\n"
     types = "".join(edit.text(side.types) for edit, side in chosen)
     root = contract("Root", Side(), ROOT + members(chosen, inherited=True))
-    return within("edits", types + record + root + contract("Edits", Side(base="Root"), PATHS + members(chosen, inherited=False)))
+    whole = contract("Edits", Side(base="Root"), PATHS + members(chosen, inherited=False))
+    return {"edits/edits.h": within("edits", types + record + root + whole, include), **headers}
 
 
 def members(chosen, inherited):
@@ -108,12 +117,9 @@ def member(edit):
 
 def breaks_headers(version):
     chosen = rows(BREAKING, version)
-    elsewhere = "".join(edit.text(side.elsewhere) for edit, side in chosen)
+    headers, include = beside("edits/elsewhere.h", chosen)
     text = "".join(alone(edit, side) for edit, side in chosen)
-    headers = {"edits/breaks.h": within("edits", text, '\n#include "edits/elsewhere.h"\n' if elsewhere else "")}
-    if elsewhere:
-        headers["edits/elsewhere.h"] = within("edits", elsewhere)
-    return headers
+    return {"edits/breaks.h": within("edits", text, include), **headers}
 
 
 def handler(edit, command: Command, told):
@@ -157,7 +163,7 @@ def versioned(version):
 
 
 def write(folder, version):
-    files = {"edits/edits.h": edits_header(version), **breaks_headers(version)}
+    files = {**edits_headers(version), **breaks_headers(version)}
     (folder / "edits").mkdir(parents=True, exist_ok=True)
     for path, text in files.items():
         (folder / path).write_text(text)
@@ -187,7 +193,8 @@ def main():
     shutil.copytree(first / "schemas", second / "schemas")
     run(arguments.suturec, second, write(second, "between"), flags[1:], "--update-lock")
     newest = write(second, "new")
-    run(arguments.suturec, second, ["edits/edits.h"], flags[1:], "--update-lock")
+    fine = [one for one in newest if one in ("edits/edits.h", "edits/parts.h")]
+    run(arguments.suturec, second, fine, flags[1:], "--update-lock")
     run(arguments.suturec, second, newest, flags[1:], "--update-lock", "--accept-break")
     run(arguments.suturec, second, newest, flags[1:])
 

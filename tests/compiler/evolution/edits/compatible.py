@@ -105,6 +105,48 @@ FIELDS = [
          build="lock-stale"),
 ]
 
+WHOLE = "struct SUTURE_TYPE() {T} {\n  %s part;\n};\n"
+PART = "struct SUTURE_TYPE(%s) {T}%s {\n%s  double a = 1;\n};\n"
+MOVED = "a type moved to another header"
+
+
+def moved(name, part, new_part, whole=WHOLE % "{T}Part", new_whole=WHOLE % "{T}Part", **more):
+    """A struct or an enum goes from the contract's header to another one, and what has it is as before."""
+    return Edit(name, MOVED, Side(types=part + whole, sends={"part.a": "5"}, sees={"part.a": "6"}),
+                Side(types=new_whole, elsewhere=new_part, sends={"part.a": "6"}, sees={"part.a": "5"}),
+                **{"build": "lock-missing lock-moved", **more})
+
+
+DEEP = "struct SUTURE_TYPE() {T}Deep {\n  double a = 1;\n};\n"
+IN_SPACE = "namespace moved {\n%s}\n"
+
+MOVES = [
+    moved("type moved to another header", PART % ("", "Part", ""), PART % ("", "Part", "")),
+    moved("type renamed and moved to another header with was", PART % ("", "Part", ""), PART % ('was("{T}Part")', "Piece", ""),
+          new_whole=WHOLE % "{T}Piece"),
+    moved("type moved to another header under another wire name", PART % ("", "Part", ""), PART % ('name("{T}There")', "Part", "")),
+    moved("type moved to another header and namespace with was", PART % ("", "Part", ""),
+          IN_SPACE % PART % ('was("edits::{T}Part")', "Part", ""), new_whole=WHOLE % "moved::{T}Part"),
+    moved("type moved to another header with its composites", DEEP + PART % ("", "Part", "  std::optional<{T}Deep> deep;\n"),
+          DEEP + PART % ("", "Part", "  std::optional<{T}Deep> deep;\n")),
+    Edit("enum moved to another header", MOVED,
+         Side(types="enum class SUTURE_TYPE() {T}Mode { Off, On };\nstruct SUTURE_TYPE() {T} {\n  {T}Mode mode = {T}Mode::On;\n};\n",
+              sends={"mode": "{T}Mode::Off"}, sees={"mode": "1"}),
+         Side(elsewhere="enum class SUTURE_TYPE() {T}Mode { Off, On };\n",
+              types="struct SUTURE_TYPE() {T} {\n  {T}Mode mode = {T}Mode::On;\n};\n",
+              sends={"mode": "{T}Mode::On"}, sees={"mode": "0"}),
+         build="lock-missing lock-moved"),
+    Edit("type of another header renamed with was", "a name, by `was()`",
+         Side(elsewhere=PART % ("", "Part", ""), types=WHOLE % "{T}Part", sends={"part.a": "5"}, sees={"part.a": "6"}),
+         Side(elsewhere=PART % ('was("{T}Part")', "Piece", ""), types=WHOLE % "{T}Piece", sends={"part.a": "6"},
+              sees={"part.a": "5"}),
+         build="lock-moved lock-renamed"),
+    Edit("type moved from another header", MOVED,
+         Side(elsewhere=PART % ("", "Part", "") + DEEP, types=WHOLE % "{T}Part", sends={"part.a": "5"}, sees={"part.a": "6"}),
+         Side(elsewhere=DEEP, types=PART % ("", "Part", "") + WHOLE % "{T}Part", sends={"part.a": "6"}, sees={"part.a": "5"}),
+         build="lock-moved"),
+]
+
 
 def mode(enumerators, **more):
     return Side(types="enum class SUTURE_TYPE() {T}Mode { %s };\n" % enumerators +
@@ -261,4 +303,4 @@ INHERITED = [
          diff=NOTHING, inherited=True),
 ]
 
-COMPATIBLE = FIELDS + ENUMERATORS + LIMITS + COMMANDS + EVENTS + INHERITED
+COMPATIBLE = FIELDS + MOVES + ENUMERATORS + LIMITS + COMMANDS + EVENTS + INHERITED

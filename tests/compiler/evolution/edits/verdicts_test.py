@@ -45,14 +45,14 @@ def slugs(text):
 
 
 def told(text):
-    """Returns for each file the lines that suturec printed below its name when it wrote its lock."""
-    found, lines = {}, []
+    """Returns for each file the lines that suturec printed below its name, none for a file without lines."""
+    found, lines = collections.defaultdict(list), []
     for line in text.splitlines():
-        if line.startswith("updated "):
-            lines = found.setdefault(line.removeprefix("updated schemas/"), [])
-        else:
+        if line.startswith("  "):
             lines.append(line.removeprefix("  "))
-    return found
+        else:
+            lines = found[line.removeprefix("updated schemas/")]
+    return {name: lines for name, lines in found.items() if lines}
 
 
 def write_all(folder, edits, version):
@@ -134,28 +134,43 @@ class Verdicts(unittest.TestCase):
                               capture_output=True)
         self.assertEqual(done.returncode, 0, done.stderr.decode())
 
-    def test_what_diff_says(self):
-        self.each(self.judge_diff)
-
-    def diff(self, edit):
-        """Returns the verdicts and the sentence below them."""
-        lock = f"{edit.stem}/contract.capnp"
-        done = subprocess.run([GIVEN.suturec, "diff", f"old/{lock}", f"schemas/{lock}"], cwd=self.folder,
+    def diff(self, name):
+        """Returns what diff says of two files or folders."""
+        done = subprocess.run([GIVEN.suturec, "diff", f"old/{name}", f"schemas/{name}"], cwd=self.folder,
                               capture_output=True, text=True)
-        return done.stdout.splitlines()
+        return done.stdout
 
-    def judge_diff(self, edit):
-        lines = self.diff(edit)
+    def diffs(self):
+        """Returns what diff says of the two folders: the lines of each file of an edit, by the edit's folder."""
+        found = collections.defaultdict(dict)
+        for path, lines in told(self.diff("")).items():
+            stem, name = path.split("/")
+            found[stem][name] = lines
+        return found
+
+    def test_what_diff_says_of_folders(self):
+        found = self.diffs()
+        self.each(lambda edit: self.judge_diff(edit, [line for lines in found[edit.stem].values() for line in lines]))
+
+    def test_what_diff_says_of_files(self):
+        for edit in EDITS:
+            if edit.old.elsewhere or edit.new.elsewhere:  # a file does not say what moved into it
+                continue
+            with self.subTest(edit.name):
+                self.judge_diff(edit, self.diff(f"{edit.stem}/contract.capnp").splitlines())
+
+    def judge_diff(self, edit, lines):
         said = [LABELS[line.split()[0]] for line in lines if line.split()[0] in LABELS]
         self.assertEqual(max(said, key=ORDER.index, default=NOTHING), edit.diff, lines)
 
     def test_an_update_prints_what_diff_says(self):
-        printed = told(self.taken[1]) | told(self.accepted[1])
+        printed, found = told(self.taken[1]) | told(self.accepted[1]), self.diffs()
         for edit in POSSIBLE:
             if edit.between:  # two updates in one diff
                 continue
             with self.subTest(edit.name):
-                self.assertEqual(printed.get(f"{edit.stem}/contract.capnp", []), self.diff(edit)[:-1])
+                lines = {path.split("/")[1]: lines for path, lines in printed.items() if path.split("/")[0] == edit.stem}
+                self.assertEqual(lines, found[edit.stem])
 
     def test_the_page_has_a_row_for_each(self):
         rows = re.findall(r"^\| ([^|]+) \|", pathlib.Path(GIVEN.page).read_text(encoding="utf-8"), re.M)
