@@ -47,12 +47,12 @@ template <class Visit>
 void forEachOwn(const model::Model& model, const model::Lookup& lookup, const Locks& locks,
                 const std::vector<Move>& moves, const Options& options, const Visit& visit) {
   for (const model::Header& header : model.headers) {
-    Lock old = lockOf(header, locks);
+    const Lock old = lockOf(header, locks);
     if (!header.own || (!needsLock(header) && old.text.empty())) continue;
     std::vector<WantedNode> nodes = wanted(header, lookup);
     Lock merged = merge(nodes, header, old, options.project);
     noteMoves(old, merged, locks, moves);
-    visit(Judged{header, std::move(nodes), std::move(old)}, std::move(merged));
+    visit(Judged{header, std::move(nodes), old}, std::move(merged));
   }
 }
 
@@ -94,8 +94,9 @@ class WireNames {
 
   /// Reports nodes that have the name of a removed one: it keeps its name in the schema, so no
   /// header of the namespace may give it again.
-  Diagnostics clashesWithRemoved(const model::Header& header, const Lock& merged) const {
+  Diagnostics clashesWithRemoved(const Judged& judged, const Lock& merged) const {
     Diagnostics result;
+    const model::Header& header = judged.header;
     for (const Node& node : merged.nodes) {
       const auto taken = owners_.find(header.cxxNamespace + "::" + node.name);
       if (!node.removed() || taken == owners_.end()) continue;
@@ -103,7 +104,7 @@ class WireNames {
       result.push_back({owner.source,
                         "wire-name-clash",
                         owner.title + " has the wire name of a removed " + node.name,
-                        "give it another: name(\"...\")",
+                        adviceOnRemoved(node, owner, judged.old),
                         {}});
     }
     return result;
@@ -114,6 +115,20 @@ class WireNames {
     std::string path;
     WantedNode node;
   };
+
+  /// Says was() if it would match the two, which it does with what this edit removes.
+  static std::string adviceOnRemoved(const Node& removed, const WantedNode& taker,
+                                     const Lock& old) {
+    const auto name = removed.annotations.find("cxx");
+    const bool fits =
+        !taker.was && removed.kind == taker.node.kind && name != removed.annotations.end() &&
+        std::any_of(old.nodes.begin(), old.nodes.end(),
+                    [&](const Node& node) { return node.id == removed.id && !node.removed(); });
+    const std::string other = "give it another: name(\"...\")";
+    return fits ? "if it is the same under another name in C++, say was(" + name->second +
+                      "); else " + other
+                : other;
+  }
 
   void add(const model::Header& header, const model::Lookup& lookup) {
     for (WantedNode& node : wanted(header, lookup)) {
@@ -276,13 +291,13 @@ Diagnostics check(const model::Model& model, const Locks& committed, const Optio
   const Moves moves = findMoves(model, committed, options);
   const Locks locks = relocated(committed, moves.all);
   Diagnostics all = duplicateIds(locks, options);
-  append(all, moves.refused);
+  append(all, moves.found);
   const model::Lookup lookup(model);
   const WireNames names(model, lookup);
   const auto judge = [&](const Judged& judged, const Lock& merged) {
     append(all, names.clashes(judged.header, judged.wanted));
     append(all, clashesWithOwn(judged.wanted));
-    append(all, names.clashesWithRemoved(judged.header, merged));
+    append(all, names.clashesWithRemoved(judged, merged));
     if (judged.old.text.empty()) {
       all.push_back(missing(judged, options));
       return;
@@ -307,7 +322,7 @@ Update update(const model::Model& model, const Locks& committed, const Options& 
   const Moves moves = findMoves(model, renewed, options);
   const Locks locks = relocated(renewed, moves.all);
   append(result.diagnostics, duplicateIds(locks, options));
-  append(result.diagnostics, moves.refused);
+  append(result.diagnostics, moves.found);
   const model::Lookup lookup(model);
   const WireNames names(model, lookup);
   std::map<std::string, Lock> merged = locks.files;
@@ -316,7 +331,7 @@ Update update(const model::Model& model, const Locks& committed, const Options& 
   forEachOwn(model, lookup, locks, moves.all, options, [&](const Judged& judged, Lock lock) {
     append(result.diagnostics, names.clashes(judged.header, judged.wanted));
     append(result.diagnostics, clashesWithOwn(judged.wanted));
-    append(result.diagnostics, names.clashesWithRemoved(judged.header, lock));
+    append(result.diagnostics, names.clashesWithRemoved(judged, lock));
     Verdicts found = verdictsOf(judged, lock, options);
     if (!options.acceptBreaks) append(result.diagnostics, std::move(found.breaks));
     const std::string path = judged.old.path;

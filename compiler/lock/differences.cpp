@@ -267,7 +267,9 @@ class Comparison {
       one.what = std::move(what);
       if (effect == Effect::Break) same = false;
     };
-    if (old.isMethod != now.isMethod || renames_.apply(old.type) != now.type) {
+    const bool sameType = renames_.apply(old.type) == now.type || hasForgotten(after, now.type) ||
+                          isRemembered(before, old.type);
+    if (old.isMethod != now.isMethod || !sameType) {
       say(Change::Type, Effect::Break, ": type " + now.type + " instead of " + old.type, "");
     }
     for (const std::string& name : namesOf(old.annotations, now.annotations)) {
@@ -285,6 +287,19 @@ class Comparison {
       }
     }
     return same;
+  }
+
+  /// Tells if a placeholder no longer says which type of another file it named.
+  static bool hasForgotten(const LockPlace& place, const std::string& type) {
+    const bool isPlaceholder =
+        place.node->removed() || (place.member != nullptr && place.member->removed());
+    return isPlaceholder && (type == kForgotten || type == kForgottenEnum);
+  }
+
+  /// Tells if a composite that was removed is there again: its name says what it is made of.
+  static bool isRemembered(const LockPlace& place, const std::string& type) {
+    return (type == kForgotten || type == kForgottenEnum) && place.node->removed() &&
+           identity(*place.node) == place.node->name;
   }
 
   /// Tells how the default changed in C++. The annotation is there if C++ has another default than

@@ -107,15 +107,16 @@ class Finder {
     const Lock* const lock = lockAt(locks_, path);
     const std::string now = identity(wanted.node), former = formerIdentity(wanted);
     if (const Node* const node = lock == nullptr ? nullptr : find(*lock, now, false)) {
-      return leave(*node, {path, node->name});
+      return leave(*node, {path, node->name}, wanted);
     }
     const Node* const before = lock == nullptr ? nullptr : find(*lock, former, true);
     if (before != nullptr) return add({path, before->name}, {path, wanted.node.name}, before->id);
-    if (arriveFromKnown(path, home, wanted) || former.empty() || !home.header->own) return;
+    if (arriveFromKnown(path, home, wanted) || !home.header->own) return;
     for (const auto& [other, from] : locks_.others) {
       const Node* const node = find(from, former, true);
       if (node != nullptr) return add({other, node->name}, {path, wanted.node.name}, node->id);
     }
+    remark(wanted);
   }
 
   /// Looks in the locks of the other headers of the run. Returns true if one had it.
@@ -152,12 +153,24 @@ class Finder {
   }
 
   /// Lets go what another lock has already taken over.
-  void leave(const Node& taken, const TypePlace& to) {
+  void leave(const Node& taken, const TypePlace& to, const WantedNode& wanted) {
     for (const auto& [path, lock] : locks_.files) {
       const Node* const node = path == to.path ? nullptr : nodeWithId(lock, taken.id);
       if (node == nullptr || !isOwn(path) || isDeclaredIn(path, *node)) continue;
+      if (!hasSameNumbers(*node, taken)) refuse({path, node->name}, to, wanted);
       add({path, node->name}, to, node->id);
     }
+  }
+
+  /// Tells if no member has another number in `now`. A name that it does not have may be a new one.
+  static bool hasSameNumbers(const Node& old, const Node& now) {
+    return old.members.size() <= now.members.size() &&
+           std::all_of(old.members.begin(), old.members.end(), [&](const Member& one) {
+             return one.removed() ||
+                    std::all_of(now.members.begin(), now.members.end(), [&](const Member& other) {
+                      return other.name != one.name || other.ordinal == one.ordinal;
+                    });
+           });
   }
 
   void arrive(const Node& node, const TypePlace& from, const Home& home, const WantedNode& wanted) {
@@ -176,14 +189,31 @@ class Finder {
   }
 
   void refuse(const TypePlace& from, const TypePlace& to, const WantedNode& wanted) {
-    const model::Header& header = *homes_.at(from.path).header;
-    moves_.refused.push_back(
-        {{0, header.path, 0},
+    moves_.found.push_back(
+        {{0, homes_.at(from.path).header->path, 0},
          "lock-moved",
-         wanted.title + " is of another target now, and " + options_.folder + "/" + to.path +
-             " does not have what " + from.path + " calls " + from.name,
-         "say was() on it in that header, and update the lock of that target first",
+         wanted.title + " moved to another header, and " + options_.folder + "/" + to.path +
+             " does not have it with the id and the numbers of " + options_.folder + "/" +
+             from.path,
+         "say was(\"" + wanted.cxxName +
+             "\") on it, or its name of before, and update the lock of " + "its new target first",
          {{wanted.source, wanted.title + " is declared here"}}});
+  }
+
+  /// Remarks that a new type has the name of one in the lock of a header that is not in this run.
+  void remark(const WantedNode& wanted) {
+    for (const auto& [path, lock] : locks_.others) {
+      const Node* const node = find(lock, identity(wanted.node), true);
+      if (node == nullptr || !wanted.node.annotations.contains("cxx")) continue;
+      moves_.found.push_back(
+          {wanted.source,
+           "lock-moved",
+           wanted.title + " is new here, and " + options_.folder + "/" + path +
+               " has one of that name",
+           "if it is the same, moved to this header, say was(\"" + wanted.cxxName + "\") on it",
+           {{{0, options_.folder + "/" + path, node->line}, "the other lock has: " + node->name}},
+           model::Diagnostic::Severity::Warning});
+    }
   }
 
   /// Lets composites follow a node that nothing else in its old file needs.
@@ -323,7 +353,7 @@ class Relocation {
   std::map<TypePlace, Move> moves_;
 };
 
-/// Replaces what a placeholder names by something of its size that names nothing.
+/// Lets placeholders name nothing of other files.
 class Placeholders {
  public:
   Placeholders(const Locks& locks, const std::vector<Move>& moves) : locks_(locks) {
@@ -333,31 +363,30 @@ class Placeholders {
     }
   }
 
-  void run(Lock& old, Lock& merged) const {
+  void run(const Lock& old, Lock& merged) const {
     for (Node& node : merged.nodes) {
-      const auto before = std::find_if(old.nodes.begin(), old.nodes.end(),
-                                       [&](const Node& one) { return one.id == node.id; });
+      const Node* const before = nodeWithId(old, node.id);
       for (std::size_t i = 0; i < node.members.size(); ++i) {
-        if (!node.removed() && !node.members[i].removed()) continue;
-        forget(node, node.members[i], merged.path);
-        if (before == old.nodes.end() || i >= before->members.size()) continue;
-        if (node.removed() || before->members[i].removed()) {
-          forget(node, before->members[i], merged.path);
-        }
+        Member& member = node.members[i];
+        if (before == nullptr || i >= before->members.size()) continue;
+        if (!node.removed() && !member.removed()) continue;
+        // A node may be declared again, so it forgets only what it must.
+        const bool isNew = member.removed() && !before->members[i].removed();
+        forEachType(member, [&](std::string& type) {
+          const TypePlace place = placeOf(type, merged.path);
+          const bool hasMoved = places_.contains(place) || ids_.contains(node.id);
+          if (place.path != merged.path && (hasMoved || isNew)) forget(type, place);
+        });
       }
     }
   }
 
  private:
-  void forget(const Node& owner, Member& member, const std::string& inside) const {
-    forEachType(member, [&](std::string& type) {
-      const TypePlace place = placeOf(type, inside);
-      const bool hasMoved = places_.contains(place) || ids_.contains(owner.id);
-      const Node* const named = nodeAt(locks_, place);
-      if (place.path == inside || !hasMoved || named == nullptr) return;
-      const bool isEnum = named->kind == Node::Kind::Enum && leafOf(type) == type;
-      type = isEnum ? "UInt16" : "AnyPointer";
-    });
+  void forget(std::string& type, const TypePlace& place) const {
+    const Node* const named = nodeAt(locks_, place);
+    if (named == nullptr) return;  // it is one of Suture's, which never move
+    const bool isEnum = named->kind == Node::Kind::Enum && leafOf(type) == type;
+    type = isEnum ? kForgottenEnum : kForgotten;
   }
 
   const Locks& locks_;
@@ -399,7 +428,7 @@ Locks relocated(const Locks& locks, const std::vector<Move>& moves) {
   return Relocation(locks, moves).run();
 }
 
-void noteMoves(Lock& old, Lock& merged, const Locks& locks, const std::vector<Move>& moves) {
+void noteMoves(const Lock& old, Lock& merged, const Locks& locks, const std::vector<Move>& moves) {
   Placeholders(locks, moves).run(old, merged);
   for (const Move& move : moves) {
     const auto isThis = [&](const Departure& one) { return one.name == move.from.name; };

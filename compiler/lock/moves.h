@@ -23,7 +23,7 @@ struct Move {
 
 struct Moves {
   std::vector<Move> all;
-  model::Diagnostics refused;  ///< locks of other targets lack what has moved there
+  model::Diagnostics found;  ///< what cannot follow, and what might
 };
 
 /// Finds what the headers of the model declare elsewhere, or under other names, than the locks
@@ -37,9 +37,9 @@ std::vector<Move> movesBetween(const Locks& old, const Locks& now);
 /// its name, since merge() gives it the new one.
 Locks relocated(const Locks& locks, const std::vector<Move>& moves);
 
-/// Notes in a lock that an update writes where to look for what has left it, and lets its
-/// placeholders name nothing that moved: they would import a file that may import this one. `old`
-/// is what the lock was before, and gets the same placeholders.
-void noteMoves(Lock& old, Lock& merged, const Locks& locks, const std::vector<Move>& moves);
+/// Notes in a lock that an update writes where to look for what has left it, and lets placeholders
+/// name nothing of other files: it may move unseen, or to a file that imports this one. `old` is
+/// what the lock was before, relocated like all `locks`.
+void noteMoves(const Lock& old, Lock& merged, const Locks& locks, const std::vector<Move>& moves);
 
 }  // namespace suture::compiler::lock

@@ -7,6 +7,11 @@
 
 namespace suture::compiler::lock {
 
+/// Are the types of placeholders that once named a type of another file. They take as much of a
+/// message as that did.
+inline constexpr char kForgotten[] = "AnyPointer";
+inline constexpr char kForgottenEnum[] = "UInt16";
+
 /// Returns "Pose" for "List(Pose)".
 std::string leafOf(const std::string& type);
 

@@ -176,6 +176,79 @@ TEST_F(MovesTest, WhatWasRemovedForgetsATypeThatMoves) {
   EXPECT_EQ(errors(after), Slugs{});
 }
 
+// The header that had it may not include the other one any more, whose type then moves unseen.
+TEST_F(MovesTest, WhatIsRemovedForgetsTheTypeOfAnotherHeaderAtOnce) {
+  const Locks before = lockOf(model_);
+  auto& fields = part("n/user.h").fields;
+  fields.clear();
+  const Locks after = lockOf(model_, before);
+  EXPECT_EQ(nodeOf(user(after), "Whole").members[0].type, "AnyPointer");
+  EXPECT_EQ(nodeOf(user(after), "Whole").members[1].type, "AnyPointer");
+  EXPECT_EQ(errors(after), Slugs{});
+}
+
+TEST_F(MovesTest, ACompositeOfATypeThatMovedMayComeBack) {
+  auto& fields = part("n/user.h").fields;
+  fields.push_back(sample::field("maybe", optional(sample::record("n::Part"))));
+  const Locks before = lockOf(model_);
+  fields.pop_back();
+  const Locks without = lockOf(model_, before);
+  EXPECT_TRUE(nodeOf(user(without), "NUserOptionalPart").removed());
+  move("n/from.h", "n/to.h");
+  const Locks between = lockOf(model_, without);
+  EXPECT_EQ(nodeOf(user(between), "NUserOptionalPart").members[1].type, "AnyPointer");
+  part("n/user.h").fields.push_back(sample::field("again", optional(sample::record("n::Part"))));
+  EXPECT_EQ(update(model_, between).diagnostics.size(), 0u);
+  const Locks after = lockOf(model_, between);
+  EXPECT_EQ(nodeOf(user(after), "NUserOptionalPart").members[1].type, "/n/to.capnp:Part");
+  EXPECT_EQ(errors(after), Slugs{});
+}
+
+TEST_F(MovesTest, ANewTypeOfTheNameOfOneInAnotherLockIsRemarked) {
+  Locks before = lockOf(model_);
+  before.others.insert(before.files.extract("n/from.capnp"));
+  before.files.erase("n/user.capnp");
+  move("n/from.h", "n/to.h");
+  std::erase_if(model_.headers, [](const auto& one) { return one.path != "n/to.h"; });
+  EXPECT_EQ(errors(before), (Slugs{"lock-moved", "lock-missing"}));
+  const Update updated = update(model_, before);
+  ASSERT_EQ(slugs(updated.diagnostics), Slugs{"lock-moved"});
+  EXPECT_EQ(updated.diagnostics[0].severity, Diagnostic::Severity::Warning);
+  EXPECT_NE(updated.diagnostics[0].help.find("was(\"n::Part\")"), std::string::npos);
+}
+
+// Whoever gave it other numbers there did not know of this lock.
+TEST_F(MovesTest, AnotherTargetMustHaveTakenTheTypeWithItsNumbers) {
+  const Locks before = lockOf(model_);
+  move("n/from.h", "n/to.h");
+  Locks between = before;
+  Lock& other = between.files["n/to.capnp"] = to(lockOf(model_, before));
+  std::swap(other.nodes[0].members[0].name, other.nodes[0].members[1].name);
+  header("n/to.h").own = false;
+  EXPECT_EQ(slugs(update(model_, between).diagnostics), Slugs{"lock-moved"});
+}
+
+TEST_F(MovesTest, AClashWithWhatAnEditRemovesAdvisesWas) {
+  part("n/user.h").fields.clear();
+  const Locks before = lockOf(model_);
+  part().name = "n::inner::Part";
+  const auto clashOf = [&](const Locks& locks) {
+    const Diagnostics found = check(model_, locks);
+    const auto clash = std::find_if(found.begin(), found.end(), [](const Diagnostic& one) {
+      return one.slug == "wire-name-clash";
+    });
+    return clash == found.end() ? "" : clash->help;
+  };
+  EXPECT_NE(clashOf(before).find("say was(\"n::Part\")"), std::string::npos);
+  part().was = "n::Part";
+  EXPECT_EQ(clashOf(before), "");
+  part().was.reset();
+  header("n/from.h").structs.erase(header("n/from.h").structs.begin());
+  const Locks removed = lockOf(model_, before);
+  header("n/from.h").structs.push_back(sample::structure("n::inner::Part", {}));
+  EXPECT_EQ(clashOf(removed), "give it another: name(\"...\")");
+}
+
 TEST_F(MovesTest, AContractMovesToo) {
   model::Interface contract;
   contract.name = "n::Arm";
@@ -226,7 +299,8 @@ TEST_F(MovesTest, ATypeIsTakenFromTheLockOfAHeaderThatIsGoneByWasAlone) {
   move("n/from.h", "n/to.h");
   std::erase_if(model_.headers, [](const auto& one) { return one.path == "n/from.h"; });
   EXPECT_EQ(unknownNames(model_, before), std::vector<std::string>{"n::Part"});
-  EXPECT_EQ(slugs(update(model_, before).diagnostics), Slugs(2, "lock-break"));
+  EXPECT_EQ(slugs(update(model_, before).diagnostics),
+            (Slugs{"lock-moved", "lock-break", "lock-break"}));
   part("n/to.h").was = "n::Part";
   EXPECT_EQ(slugs(update(model_, before).diagnostics), Slugs{});
   const Locks after = lockOf(model_, before);
