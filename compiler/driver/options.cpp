@@ -107,7 +107,8 @@ Parsed parseOptions(const std::vector<std::string>& arguments) {
   options.clangArguments = std::move(split.clang);
   CLI::App app{
       "Reads annotated C++ headers and writes what carries them over a wire.\n"
-      "What stands behind -- goes to clang. Also: suturec diff OLD NEW, for two schema files.",
+      "What stands behind -- goes to clang. Also: suturec diff OLD NEW, for two schema files or "
+      "folders.",
       "suturec"};
   declare(app, options);
   try {

@@ -91,6 +91,7 @@ class Finder {
       }
     }
     for (std::size_t i = 0; i < moves_.all.size(); ++i) addComposites(Move(moves_.all[i]));
+    addRenamedFiles();
     addDepartures();
     return std::move(moves_);
   }
@@ -156,8 +157,12 @@ class Finder {
   void leave(const Node& taken, const TypePlace& to, const WantedNode& wanted) {
     for (const auto& [path, lock] : locks_.files) {
       const Node* const node = path == to.path ? nullptr : nodeWithId(lock, taken.id);
-      if (node == nullptr || !isOwn(path) || isDeclaredIn(path, *node)) continue;
-      if (!hasSameNumbers(*node, taken)) refuse({path, node->name}, to, wanted);
+      if (node == nullptr || !homes_.contains(path) || isDeclaredIn(path, *node)) continue;
+      if (!isOwn(path)) {
+        await({path, node->name}, to, wanted);
+      } else if (!hasSameNumbers(*node, taken)) {
+        refuse({path, node->name}, to, wanted);
+      }
       add({path, node->name}, to, node->id);
     }
   }
@@ -189,15 +194,31 @@ class Finder {
   }
 
   void refuse(const TypePlace& from, const TypePlace& to, const WantedNode& wanted) {
-    moves_.found.push_back(
-        {{0, homes_.at(from.path).header->path, 0},
-         "lock-moved",
-         wanted.title + " moved to another header, and " + options_.folder + "/" + to.path +
-             " does not have it with the id and the numbers of " + options_.folder + "/" +
-             from.path,
-         "say was(\"" + wanted.cxxName +
-             "\") on it, or its name of before, and update the lock of " + "its new target first",
-         {{wanted.source, wanted.title + " is declared here"}}});
+    report(from.path, wanted,
+           wanted.title + " moved to another header, and " + file(to) +
+               " does not have it with the id and the numbers of " + file(from),
+           "restore " + file(to) + " if it has another " + to.name + ", say was(\"" +
+               wanted.cxxName +
+               "\"), or the name of before, where it is declared now, and update " +
+               "the lock of that target first");
+  }
+
+  /// Reports that another target still has to let go what has moved.
+  void await(const TypePlace& from, const TypePlace& to, const WantedNode& wanted) {
+    report(from.path, wanted,
+           wanted.title + " moved to " + file(to) + ", and " + file(from) + " still has it",
+           "update the lock of the target of " + homes_.at(from.path).header->path + " first");
+  }
+
+  std::string file(const TypePlace& place) const { return options_.folder + "/" + place.path; }
+
+  void report(const std::string& path, const WantedNode& wanted, std::string message,
+              std::string help) {
+    moves_.found.push_back({{0, homes_.at(path).header->path, 0},
+                            "lock-moved",
+                            std::move(message),
+                            std::move(help),
+                            {{wanted.source, wanted.title + " is declared here"}}});
   }
 
   /// Remarks that a new type has the name of one in the lock of a header that is not in this run.
@@ -260,10 +281,20 @@ class Finder {
   void addDepartures() {
     for (const auto& [path, lock] : locks_.files) {
       for (const Departure& one : lock.departures) {
-        const TypePlace from{path, one.name};
+        const TypePlace from = placeOf(one.name, path);
         const TypePlace to = homeOf(one);
-        if (nodeAt(locks_, from) != nullptr) continue;
-        add(from, to, one.id);
+        if (nodeAt(locks_, from) == nullptr) add(from, to, one.id);
+      }
+    }
+  }
+
+  /// Adds what stands in a lock that was renamed together with its header.
+  void addRenamedFiles() {
+    for (const auto& [path, lock] : locks_.files) {
+      const std::string before = lockPath(lock.header);
+      if (lock.header.empty() || before == path || locks_.files.contains(before)) continue;
+      for (const Node& node : lock.nodes) {
+        if (isDeclared(node)) add({before, node.name}, moved({path, node.name}), node.id);
       }
     }
   }
@@ -431,10 +462,13 @@ Locks relocated(const Locks& locks, const std::vector<Move>& moves) {
 void noteMoves(const Lock& old, Lock& merged, const Locks& locks, const std::vector<Move>& moves) {
   Placeholders(locks, moves).run(old, merged);
   for (const Move& move : moves) {
-    const auto isThis = [&](const Departure& one) { return one.name == move.from.name; };
+    // Of what has no lock any more, or one of another run, that of its new place tells.
+    const bool isHere = move.to.path == merged.path && !locks.files.contains(move.from.path);
+    const std::string name = move.from.spelled(merged.path);
+    const auto isThis = [&](const Departure& one) { return one.name == name; };
     auto& all = merged.departures;
-    if (move.from.path != merged.path || std::any_of(all.begin(), all.end(), isThis)) continue;
-    all.push_back({move.from.name, move.id, move.to});
+    if (move.from.path != merged.path && !isHere) continue;
+    if (std::none_of(all.begin(), all.end(), isThis)) all.push_back({name, move.id, move.to});
   }
   std::erase_if(merged.departures,
                 [&](const Departure& one) { return nodeNamed(merged, one.name) != nullptr; });

@@ -10,7 +10,7 @@ annotation header @0xfa75b35d473ef8a4 (file) :Text;
 
 annotation formerly @0x9f4be6a80d1c7352 (file) :Text;
 # What this file called so, and where it is now: "Pose @0x9b87d70f9fe9600f /arm/arm.capnp:Placement".
-# A schema that was locked before the move names it here.
+# A schema that was locked before the move names it here. The first name is of another file if that is gone.
 
 annotation cxx @0xd470381940aa15b6 (struct, enum, interface, field, enumerant, method, param) :Text;
 # The C++ name: qualified on a type, plain elsewhere and then only where it is not the wire name.

@@ -70,7 +70,9 @@ struct Node {
 
 /// Says what a node that a lock had is called now, and where.
 struct Departure {
-  std::string name;      ///< in the lock that it has left, or in which it has another name now
+  /// Is its name in the lock that it has left, or in which it has another name now. If it came from
+  /// a lock that is not there any more, it is "/arm/arm.capnp:Pose".
+  std::string name;
   std::uint64_t id = 0;  ///< of the node
   TypePlace to;          ///< when it left; it may have moved on since then
 

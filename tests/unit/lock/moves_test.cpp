@@ -292,6 +292,51 @@ TEST_F(MovesTest, TheLockOfAnotherTargetMustHaveTheTypeFirst) {
   EXPECT_EQ(from(lockOf(model_, between)).text, from(after).text);
 }
 
+// The lock of the new header tells it, since nothing is left that would.
+TEST_F(MovesTest, AnotherTargetFollowsATypeWhoseHeaderIsGone) {
+  const Locks before = lockOf(model_);
+  Locks between = before;
+  between.others.insert(between.files.extract("n/from.capnp"));
+  move("n/from.h", "n/to.h");
+  std::erase_if(model_.headers, [](const auto& one) { return one.path == "n/from.h"; });
+  part("n/to.h").was = "n::Part";
+  Locks after = lockOf(model_, between);
+  const std::string expected = user(after).text;
+  after.files.at("n/user.capnp") = user(before);
+  header("n/to.h").own = false;
+  EXPECT_EQ(errors(after), Slugs{"lock-moved"});
+  EXPECT_EQ(user(lockOf(model_, after)).text, expected);
+}
+
+TEST_F(MovesTest, ALockMayBeRenamedWithItsHeader) {
+  part().fields.push_back(sample::field("maybe", optional(number_)));
+  const Locks before = lockOf(model_);
+  Locks renamed = before;
+  auto file = renamed.files.extract("n/from.capnp");
+  file.key() = file.mapped().path = "n/to.capnp";
+  renamed.files.insert(std::move(file));
+  header("n/from.h").path = "n/to.h";
+  EXPECT_EQ(slugs(update(model_, renamed).diagnostics), Slugs{});
+  Locks after = lockOf(model_, renamed);
+  EXPECT_EQ(nodeOf(to(after), "Part").id, nodeOf(from(before), "Part").id);
+  EXPECT_EQ(nodeOf(user(after), "Whole").members[0].type, "/n/to.capnp:Part");
+  EXPECT_EQ(errors(after), Slugs{});
+  after.files.at("n/user.capnp") = user(before);  // of a target that is updated later
+  EXPECT_EQ(errors(after), Slugs{"lock-moved"});
+}
+
+TEST_F(MovesTest, ALockWaitsForAnotherTargetToLetGo) {
+  const Locks before = lockOf(model_);
+  move("n/from.h", "n/to.h");
+  Locks between = before;
+  between.files["n/to.capnp"] = to(lockOf(model_, before));
+  header("n/from.h").own = header("n/to.h").own = false;
+  const Diagnostics found = check(model_, between);
+  ASSERT_EQ(slugs(found), Slugs(2, "lock-moved"));
+  EXPECT_EQ(found[0].help, "update the lock of the target of n/from.h first");
+  EXPECT_FALSE(update(model_, between).diagnostics.empty());
+}
+
 TEST_F(MovesTest, ATypeIsTakenFromTheLockOfAHeaderThatIsGoneByWasAlone) {
   part().fields.push_back(sample::field("maybe", optional(number_)));
   Locks before = lockOf(model_);
