@@ -117,7 +117,10 @@ class Finder {
       const Node* const node = find(from, former, true);
       if (node != nullptr) return add({other, node->name}, {path, wanted.node.name}, node->id);
     }
-    remark(wanted);
+    for (const auto& [other, from] : locks_.others) {
+      const Node* const node = find(from, identity(wanted.node), true);
+      if (node != nullptr) remark(*node, other, wanted);
+    }
   }
 
   /// Looks in the locks of the other headers of the run. Returns true if one had it.
@@ -165,6 +168,13 @@ class Finder {
       }
       add({path, node->name}, to, node->id);
     }
+    for (const auto& [path, lock] : locks_.files) {
+      const Node* const node = path == to.path ? nullptr : find(lock, identity(taken), true);
+      if (node == nullptr || node->id == taken.id || !isOwn(path)) continue;
+      if (isDeclaredIn(path, *node)) continue;
+      refuse({path, node->name}, to, wanted);
+      moves_.found.back().severity = model::Diagnostic::Severity::Warning;  // it may be another
+    }
   }
 
   /// Tells if no member has another number in `now`. A name that it does not have may be a new one.
@@ -179,8 +189,11 @@ class Finder {
   }
 
   void arrive(const Node& node, const TypePlace& from, const Home& home, const WantedNode& wanted) {
-    if (!isOwn(from.path)) return;
     const TypePlace to{lockPath(home.header->path), wanted.node.name};
+    if (!isOwn(from.path)) {
+      if (home.header->own) remark(node, from.path, wanted);
+      return;
+    }
     if (!home.header->own) {
       if (node.removed()) return;
       refuse(from, to, wanted);
@@ -221,20 +234,21 @@ class Finder {
                             {{wanted.source, wanted.title + " is declared here"}}});
   }
 
-  /// Remarks that a new type has the name of one in the lock of a header that is not in this run.
-  void remark(const WantedNode& wanted) {
-    for (const auto& [path, lock] : locks_.others) {
-      const Node* const node = find(lock, identity(wanted.node), true);
-      if (node == nullptr || !wanted.node.annotations.contains("cxx")) continue;
-      moves_.found.push_back(
-          {wanted.source,
-           "lock-moved",
-           wanted.title + " is new here, and " + options_.folder + "/" + path +
-               " has one of that name",
-           "if it is the same, moved to this header, say was(\"" + wanted.cxxName + "\") on it",
-           {{{0, options_.folder + "/" + path, node->line}, "the other lock has: " + node->name}},
-           model::Diagnostic::Severity::Warning});
-    }
+  /// Remarks that a new type has the name of one in the lock of another target.
+  void remark(const Node& node, const std::string& path, const WantedNode& wanted) {
+    if (!wanted.node.annotations.contains("cxx")) return;
+    const bool isSeen = homes_.contains(path);
+    moves_.found.push_back(
+        {wanted.source,
+         "lock-moved",
+         wanted.title + " is new here, and " + options_.folder + "/" + path +
+             (isSeen ? ", of another target, keeps one of that name" : " has one of that name"),
+         isSeen
+             ? "if it is the same, declare it in a header that its old one includes: only from "
+               "there it can take its place on the wire along"
+             : "if it is the same, moved to this header, say was(\"" + wanted.cxxName + "\") on it",
+         {{{0, options_.folder + "/" + path, node.line}, "the other lock has: " + node.name}},
+         model::Diagnostic::Severity::Warning});
   }
 
   /// Lets composites follow a node that nothing else in its old file needs.
