@@ -100,7 +100,7 @@ class Judge {
     }
   }
 
-  static std::string adviceOnBreak(const Difference& one) {
+  std::string adviceOnBreak(const Difference& one) const {
     switch (one.change) {
       case Change::Kind: return "give the new thing a name of its own";
       case Change::Removed:
@@ -110,6 +110,12 @@ class Judge {
                          "\") on what replaces it, or keep it and say deprecated(): old peers use "
                          "it";
       case Change::Type:
+        if (isOfTwoLocks(one)) {
+          return "each lock has its own struct for such a type (an optional, a variant, a tuple, a "
+                 "map, a matrix of any size), and one of the two headers has it beside this: "
+                 "leave " +
+                 one.before.node->name + " in its header";
+        }
         return "a type never changes: add '" + one.before.member->name +
                "' anew under another name and remove the old one";
       case Change::Meaning:
@@ -121,6 +127,13 @@ class Judge {
       case Change::Version: return "keep the version while old peers are in use";
       default: return "restore the lock";
     }
+  }
+
+  /// Tells if what moved here has a composite now that this lock does not share with the other.
+  bool isOfTwoLocks(const Difference& one) const {
+    if (!one.before.node->cameFrom || one.now.member == nullptr) return false;
+    const auto found = nodes_.find(leafOf(one.now.member->type));
+    return found != nodes_.end() && found->second->cxxName.empty();
   }
 
   std::vector<model::Note> notesOf(const Difference& one) const {

@@ -158,7 +158,20 @@ TEST_F(MovesTest, ACompositeThatStaysIsABreak) {
   header("n/from.h").structs[1].fields.push_back(sample::field("maybe", optional(number_)));
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
-  EXPECT_EQ(slugs(update(model_, before).diagnostics), Slugs{"lock-break"});
+  const Diagnostics found = update(model_, before).diagnostics;
+  ASSERT_EQ(slugs(found), Slugs{"lock-break"});
+  EXPECT_NE(found[0].help.find("leave Part in its header"), std::string::npos) << found[0].help;
+}
+
+TEST_F(MovesTest, ACompositeThatTheNewHeaderHasAlreadyIsABreak) {
+  part().fields.push_back(sample::field("maybe", optional(number_)));
+  header("n/to.h").structs = {
+      sample::structure("n::Other", {sample::field("maybe", optional(number_))})};
+  const Locks before = lockOf(model_);
+  move("n/from.h", "n/to.h");
+  const Diagnostics found = update(model_, before).diagnostics;
+  ASSERT_EQ(slugs(found), Slugs{"lock-break"});
+  EXPECT_NE(found[0].help.find("leave Part in its header"), std::string::npos) << found[0].help;
 }
 
 // A placeholder keeps its place on the wire, and no import of what may import it.
