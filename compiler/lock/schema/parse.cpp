@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "compiler/lock/schema/meta_annotations.h"
@@ -182,19 +183,19 @@ class Parser {
 
   /// Returns what "Pose @0x9b87d70f9fe9600f /arm/arm.capnp:Placement" says.
   Departure departure(const std::string& text) const {
-    const std::size_t at = text.find(" @0x"), slash = text.find(" /");
-    const std::size_t colon = text.rfind(':');
-    Departure result;
-    if (at != std::string::npos && slash != std::string::npos && colon != std::string::npos &&
-        at < slash && slash < colon) {
-      result.name = text.substr(0, at);
-      result.id = std::strtoull(text.c_str() + at + 2, nullptr, 16);
-      result.to = {text.substr(slash + 2, colon - slash - 2), text.substr(colon + 1)};
-    }
-    if (result.id >> 63 == 0) {
+    std::istringstream words(text);
+    std::string name, number, place, more;
+    words >> name >> number >> place >> more;
+    char* end = nullptr;
+    const bool hasNumber = number.starts_with("@0x");
+    const std::uint64_t id = hasNumber ? std::strtoull(number.c_str() + 1, &end, 16) : 0;
+    const TypePlace to = placeOf(place, "");
+    const bool isPlain = text.find_first_of("\"\\()") == std::string::npos;
+    const bool isWhole = isPlain && more.empty() && !to.path.empty() && !to.name.empty();
+    if (id >> 63 == 0 || *end != '\0' || !isWhole) {
       throw SyntaxError(peek().line, "expected \"Name @0xid /path:Name\", found \"" + text + "\"");
     }
-    return result;
+    return {name, id, to};
   }
 
   /// Returns the type with the alias resolved: "List(/arm/arm.capnp:Pose)" for "List(Arm.Pose)".

@@ -69,6 +69,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadLock{HEAD "\nstruct A @zero {}", 3, "expected a number"},
         BadLock{HEAD "using B = import \"/b(c).capnp\";", 2, "no path of a schema"},
         BadLock{HEAD "using B = import \"b.capnp\";", 2, "no path of a schema"},
+        BadLock{HEAD "$Meta.formerly(\"A @0x1 /b.capnp:A\");", 2, "expected \"Name @0xid"},
+        BadLock{HEAD "$Meta.formerly(\"A @0x8000000000000002x /b.capnp:A\");", 2, "/path:Name"},
+        BadLock{HEAD "$Meta.formerly(\"A @0x8000000000000002 A\");", 2, "/path:Name"},
+        BadLock{HEAD "$Meta.formerly(\"A B @0x8000000000000002 /b.capnp:A\");", 2, "/path:Name"},
         BadLock{HEAD "struct A @0x8000000000000002 $Meta.unit((\"m\") {}", 2, "expected a value"},
         BadLock{HEAD "struct A @0x8000000000000002 $Meta.unit(", 2, "ends too early"},
         BadLock{HEAD "struct A @0x8000000000000002 $Meta.cxx(\"a {\n}", 2, "string has no end"}));
