@@ -2,7 +2,6 @@
 C++ and generated code have a use for. It can be made smaller, piece by piece, for who looks for the fault in it."""
 
 import copy
-import random
 import re
 
 import random_names

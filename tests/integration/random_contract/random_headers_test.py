@@ -69,7 +69,7 @@ def main():
         if options.keep is None:
             shutil.rmtree(folder, ignore_errors=True)
     for header in failed:
-        print(f"{header.name} failed; again: {sys.argv[0]} --suture {options.suture} --headers 1 --seed {header.name[1:]}")
+        print(f"{header.name} failed; again: python3 {sys.argv[0]} --suture {options.suture} --headers 1 --seed {header.name[1:]}")
     print(f"{options.headers} headers, {len(failed)} failed")
     return 1 if failed else 0
 
