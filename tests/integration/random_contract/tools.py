@@ -125,7 +125,7 @@ def program(headers):
     lines += [f'#include "{header.name}.capnp.h"' for header in headers]
     lines += [header.conversions() for header in headers]
     lines += ["namespace invented {", *(header.checks() for header in headers), "}  // namespace invented"]
-    lines += [f'#include "{header.name}.suture.cpp"' for header in headers]
+    lines += [f'#include "{header.name}.{kind}.cpp"' for header in headers for kind in ("suture", "wire")]
     lines += ["int main() {", *(f"  {{ invented::Random random({header.name[1:]}); invented::check_{header.name}(random); }}" for header in headers),
               "  return 0;", "}", ""]
     return "\n".join(lines)
