@@ -216,7 +216,7 @@ def committed(project):
 CONFIGURED = {"no_lock": stops_without_lock}
 BUILT = {row.__name__: row for row in (no_change, touched_header, edited_comment, transitive_header, new_field,
                                        changed_define, added_header, removed_output, stale_output, bad_header,
-                                       buried_message, interrupted, capnp_interrupted, committed)}
+                                       buried_message, many_sources, interrupted, capnp_interrupted, committed)}
 
 
 def fails(name, row, project, kept):
