@@ -10,7 +10,7 @@
 
 #include "compiler/driver/files.h"
 #include "compiler/lock/differences.h"
-#include "compiler/lock/moves.h"
+#include "compiler/lock/moves/moves.h"
 
 namespace suture::compiler::driver {
 namespace {

@@ -7,12 +7,12 @@
 #include "compiler/lock/differences.h"
 #include "compiler/lock/major_versions.h"
 #include "compiler/lock/merge.h"
-#include "compiler/lock/moves.h"
+#include "compiler/lock/moves/moves.h"
 #include "compiler/lock/schema/lock.h"
+#include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
 #include "compiler/lock/schema/writer.h"
 #include "compiler/lock/verdicts.h"
-#include "compiler/lock/wanted.h"
 
 namespace suture::compiler::lock {
 namespace {

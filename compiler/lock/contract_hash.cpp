@@ -2,8 +2,8 @@
 
 #include "compiler/lock/major_versions.h"
 #include "compiler/lock/schema/sha256.h"
+#include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
-#include "compiler/lock/wanted.h"
 #include "compiler/lock/wire_contract.h"
 
 namespace suture::compiler::lock {

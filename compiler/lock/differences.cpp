@@ -7,8 +7,8 @@
 
 #include "compiler/lock/major_versions.h"
 #include "compiler/lock/schema/renames.h"
+#include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
-#include "compiler/lock/wanted.h"
 
 namespace suture::compiler::lock {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "compiler/lock/schema/reach.h"
+#include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
-#include "compiler/lock/wanted.h"
 
 namespace suture::compiler::lock {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compiler/lock/schema/composites.h"
-#include "compiler/lock/wanted.h"
+#include "compiler/lock/schema/wanted.h"
 
 namespace suture::compiler::lock {
 namespace {

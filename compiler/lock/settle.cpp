@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "compiler/lock/moves.h"
+#include "compiler/lock/moves/moves.h"
 #include "compiler/lock/prefixes.h"
+#include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
-#include "compiler/lock/wanted.h"
 #include "compiler/model/lookup.h"
 
 namespace suture::compiler::lock {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/lock/differences.h"
-#include "compiler/lock/wanted.h"
+#include "compiler/lock/schema/wanted.h"
 
 namespace suture::compiler::lock {
 

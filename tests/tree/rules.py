@@ -14,7 +14,7 @@ RUNTIME = ["base", "base/slots", "rt", "rt/queue", "rt/state", "component/contra
            "lane/carrier", "lane/fault", "lane/delay", "lane/rpc", "lane/shm", "lane/frame/bytes", "lane/frame/payloads", "lane/frame", "names", "session", "session/client",
            "session/provider", "standard", "manager", "observe", "record", "testing", "deploy/document", "deploy"]
 CLI = ["values", "command_line", "contract", "peer", "text", "."]
-COMPILER = {"frontend": ["ast", "report", "types", "."], "lock": ["schema", "."], "emit": ["text", "wire", "cpp", "docs", "."]}
+COMPILER = {"frontend": ["ast", "report", "types", "."], "lock": ["schema", "moves", "."], "emit": ["text", "wire", "cpp", "docs", "."]}
 PARALLEL = {"observe", "record", "testing"}  # none of them knows another
 # Standard contracts that the layers below speak of count as the lowest, and see no more than that.
 BASIC_CONTRACTS = {"standard/lifecycle.h"}

@@ -3,7 +3,7 @@
 #include "compiler/emit/cpp/stamps.h"
 #include "compiler/emit/text/contract.h"
 #include "compiler/emit/text/parts.h"
-#include "compiler/lock/wanted.h"
+#include "compiler/lock/schema/wanted.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {

@@ -8,8 +8,8 @@
 #include "compiler/emit/wire/wire_nodes.h"
 #include "compiler/emit/wire/wire_places.h"
 #include "compiler/lock/major_versions.h"
+#include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
-#include "compiler/lock/wanted.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {

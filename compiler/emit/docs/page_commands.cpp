@@ -4,7 +4,7 @@
 
 #include "compiler/emit/docs/markdown.h"
 #include "compiler/emit/text/contract.h"
-#include "compiler/lock/wanted.h"
+#include "compiler/lock/schema/wanted.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {

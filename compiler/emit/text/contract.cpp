@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "compiler/lock/wanted.h"
+#include "compiler/lock/schema/wanted.h"
 
 namespace suture::compiler::emit {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/lock/wanted.h"
+#include "compiler/lock/schema/wanted.h"
 
 namespace suture::compiler::emit {
 namespace {

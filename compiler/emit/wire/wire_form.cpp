@@ -7,8 +7,8 @@
 
 #include "compiler/emit/text/contract.h"
 #include "compiler/lock/schema/composites.h"
+#include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
-#include "compiler/lock/wanted.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {

@@ -1,6 +1,6 @@
 // A type that moves to another header, or gets another name there, stays what it is on the wire.
 
-#include "compiler/lock/moves.h"
+#include "compiler/lock/moves/moves.h"
 
 #include <map>
 

@@ -1,4 +1,4 @@
-#include "compiler/lock/wanted.h"
+#include "compiler/lock/schema/wanted.h"
 
 #include <array>
 #include <set>

@@ -1,57 +1,14 @@
-#include "compiler/lock/moves.h"
+#include "compiler/lock/moves/moves.h"
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
-#include "compiler/lock/wanted.h"
+#include "compiler/lock/moves/nodes.h"
+#include "compiler/lock/schema/wanted.h"
 
 namespace suture::compiler::lock {
 namespace {
-
-const Node* nodeWithId(const Lock& lock, std::uint64_t id) {
-  for (const Node& node : lock.nodes) {
-    if (node.id == id) return &node;
-  }
-  return nullptr;
-}
-
-const Node* nodeNamed(const Lock& lock, const std::string& name) {
-  for (const Node& node : lock.nodes) {
-    if (node.name == name) return &node;
-  }
-  return nullptr;
-}
-
-const Lock* lockAt(const Locks& locks, const std::string& path) {
-  for (const auto* const all : {&locks.files, &locks.others}) {
-    if (const auto found = all->find(path); found != all->end()) return &found->second;
-  }
-  return nullptr;
-}
-
-/// Tells if the node stands for a declaration, and is no composite.
-bool isDeclared(const Node& node) { return identity(node) != node.name; }
-
-/// Returns the node that `place` names, null if no lock has it.
-const Node* nodeAt(const Locks& locks, const TypePlace& place) {
-  const Lock* const lock = lockAt(locks, place.path);
-  return lock == nullptr ? nullptr : nodeNamed(*lock, place.name);
-}
-
-/// Calls visit(type) for each type that the member names.
-template <class OneMember, class Visit>
-void forEachType(OneMember& member, const Visit& visit) {
-  visit(member.type);
-  for (auto& parameter : member.parameters) forEachType(parameter, visit);
-  for (auto& result : member.results) forEachType(result, visit);
-}
-
-template <class OneNode, class Visit>
-void forEachType(OneNode& node, std::vector<std::string>& bases, const Visit& visit) {
-  for (std::string& base : bases) visit(base);
-  for (auto& member : node.members) forEachType(member, visit);
-}
 
 class Finder {
  public:
@@ -345,100 +302,6 @@ class Finder {
   Moves moves_;
 };
 
-class Relocation {
- public:
-  Relocation(const Locks& locks, const std::vector<Move>& moves) : locks_(locks) {
-    for (const Move& move : moves) moves_.emplace(move.from, move);
-  }
-
-  Locks run() const {
-    Locks result = locks_;
-    for (auto& [path, lock] : result.files) {
-      std::erase_if(lock.nodes, [&](const Node& node) { return leaves(path, node); });
-      for (Node& node : lock.nodes) respell(node, path, path, &lock.followed);
-    }
-    for (const auto& [from, move] : moves_) {
-      const Node* const node = nodeAt(locks_, from);
-      if (node == nullptr || !leaves(from.path, *node)) continue;
-      Lock& target = result.files[move.to.path];
-      target.path = move.to.path;
-      if (nodeWithId(target, node->id) != nullptr) continue;
-      Node arrived = *node;
-      arrived.name = move.to.name;
-      arrived.cameFrom = from;
-      respell(arrived, from.path, target.path, nullptr);
-      target.nodes.push_back(std::move(arrived));
-    }
-    return result;
-  }
-
- private:
-  bool leaves(const std::string& path, const Node& node) const {
-    const auto move = moves_.find({path, node.name});
-    return move != moves_.end() && !move->second.isRename() && move->second.id == node.id;
-  }
-
-  /// Spells what a node names from the file `inside`, where it is, while it stood in `home`.
-  void respell(Node& node, const std::string& home, const std::string& inside,
-               std::map<std::string, std::string>* followed) const {
-    forEachType(node, node.extends, [&](std::string& type) {
-      const TypePlace before = placeOf(type, home);
-      const auto move = moves_.find(before);
-      const bool isKept =
-          move == moves_.end() || (move->second.isRename() && before.path == inside);
-      const TypePlace& now = isKept ? before : move->second.to;
-      if (isKept && (home == inside || nodeAt(locks_, before) == nullptr)) return;
-      type = withLeaf(type, now.spelled(inside));
-      const bool isForeign = before.path != inside && now.path != inside;
-      if (followed != nullptr && isForeign) followed->emplace(before.text(), now.text());
-    });
-  }
-
-  const Locks& locks_;
-  std::map<TypePlace, Move> moves_;
-};
-
-/// Lets placeholders name nothing of other files.
-class Placeholders {
- public:
-  Placeholders(const Locks& locks, const std::vector<Move>& moves) : locks_(locks) {
-    for (const Move& move : moves) {
-      places_.insert(move.to);
-      if (!move.isRename()) ids_.insert(move.id);
-    }
-  }
-
-  void run(const Lock& old, Lock& merged) const {
-    for (Node& node : merged.nodes) {
-      const Node* const before = nodeWithId(old, node.id);
-      for (std::size_t i = 0; i < node.members.size(); ++i) {
-        Member& member = node.members[i];
-        if (before == nullptr || i >= before->members.size()) continue;
-        if (!node.removed() && !member.removed()) continue;
-        // A node may be declared again, so it forgets only what it must.
-        const bool isNew = member.removed() && !before->members[i].removed();
-        forEachType(member, [&](std::string& type) {
-          const TypePlace place = placeOf(type, merged.path);
-          const bool hasMoved = places_.contains(place) || ids_.contains(node.id);
-          if (place.path != merged.path && (hasMoved || isNew)) forget(type, place);
-        });
-      }
-    }
-  }
-
- private:
-  void forget(std::string& type, const TypePlace& place) const {
-    const Node* const named = nodeAt(locks_, place);
-    if (named == nullptr) return;  // it is one of Suture's, which never move
-    const bool isEnum = named->kind == Node::Kind::Enum && leafOf(type) == type;
-    type = isEnum ? kForgottenEnum : kForgotten;
-  }
-
-  const Locks& locks_;
-  std::set<TypePlace> places_;
-  std::set<std::uint64_t> ids_;
-};
-
 }  // namespace
 
 std::vector<std::string> unknownNames(const model::Model& model, const Locks& locks) {
@@ -467,25 +330,6 @@ std::vector<Move> movesBetween(const Locks& old, const Locks& now) {
     }
   }
   return moves;
-}
-
-Locks relocated(const Locks& locks, const std::vector<Move>& moves) {
-  return Relocation(locks, moves).run();
-}
-
-void noteMoves(const Lock& old, Lock& merged, const Locks& locks, const std::vector<Move>& moves) {
-  Placeholders(locks, moves).run(old, merged);
-  for (const Move& move : moves) {
-    // Of what has no lock any more, or one of another run, that of its new place tells.
-    const bool isHere = move.to.path == merged.path && !locks.files.contains(move.from.path);
-    const std::string name = move.from.spelled(merged.path);
-    const auto isThis = [&](const Departure& one) { return one.name == name; };
-    auto& all = merged.departures;
-    if (move.from.path != merged.path && !isHere) continue;
-    if (std::none_of(all.begin(), all.end(), isThis)) all.push_back({name, move.id, move.to});
-  }
-  std::erase_if(merged.departures,
-                [&](const Departure& one) { return nodeNamed(merged, one.name) != nullptr; });
 }
 
 }  // namespace suture::compiler::lock
