@@ -22,9 +22,11 @@ struct Emitter {
 /// This table has all that is generated for a header. compiler/cmake/outputs.list is what suturec
 /// prints of it.
 constexpr Emitter kEmitters[] = {
-    {{"suture.h", "include"}, headerFile}, {{"suture.cpp", "compile"}, sourceFile},
-    {{"wire.cpp", "compile"}, wireFile},   {{"suture.json", "read"}, emitJson},
-    {{"suture.md", "read"}, emitPage},
+    {.output = {"suture.h", "include"}, .write = headerFile},
+    {.output = {"suture.cpp", "compile"}, .write = sourceFile},
+    {.output = {"wire.cpp", "compile"}, .write = wireFile},
+    {.output = {"suture.json", "read"}, .write = emitJson},
+    {.output = {"suture.md", "read"}, .write = emitPage},
 };
 
 /// Returns the path of source file `index`: "arm/arm.suture.cpp", "arm/arm.suture.2.cpp".
