@@ -17,6 +17,20 @@ SyntheticEndoscope::SyntheticEndoscope(const EndoscopeParameters& parameters)
   images_.keepState({.rows = kPairs});
 }
 
+/// Draws what nobody sees: Mesa compiles its programs with the first images, which on a busy
+/// machine takes longer than clients wait for a cycle.
+void SyntheticEndoscope::onStart() {
+  constexpr double kReach = 0.01, kDepth = 0.1;  // m
+  View view;
+  view.strand.row(0).setLinSpaced(-kReach, kReach);
+  view.strand.row(1).setZero();
+  view.strand.row(2).setConstant(kDepth);
+  for (const auto& [eye, image] : {std::pair(Eye::Left, &pair_.left), {Eye::Right, &pair_.right}}) {
+    painter_.paint(eye, view, *image);
+    image->valid = false;
+  }
+}
+
 void SyntheticEndoscope::run() {
   if (lost_(random_)) return;  // no client is told: the last pair stays the last
   const auto strand = strand_.strand.delayed(parameters_.latency);

@@ -51,6 +51,9 @@ class SUTURE_COMPONENT() SyntheticEndoscope final : public suture::PeriodicTask,
 
   void run() override;
 
+ protected:
+  void onStart() override;
+
  private:
   void expose(Eye eye, const View& view, suture::Time exposed, ImageFrame& image);
 
