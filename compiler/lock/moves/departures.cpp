@@ -54,7 +54,8 @@ class Placeholders {
 void noteMoves(const Lock& old, Lock& merged, const Locks& locks, const std::vector<Move>& moves) {
   Placeholders(locks, moves).run(old, merged);
   for (const Move& move : moves) {
-    // Of what has no lock any more, or one of another run, that of its new place tells.
+    // If the old place has no lock any more, or one that this run does not read, the lock of the
+    // new place tells of the move.
     const bool isHere = move.to.path == merged.path && !locks.files.contains(move.from.path);
     const std::string name = move.from.spelled(merged.path);
     const auto isThis = [&](const Departure& one) { return one.name == name; };

@@ -230,7 +230,7 @@ TEST_F(MovesTest, ANewTypeOfTheNameOfOneInAnotherLockIsRemarked) {
   EXPECT_NE(updated.diagnostics[0].help.find("was(\"n::Part\")"), std::string::npos);
 }
 
-// Whoever gave it other numbers there did not know of this lock.
+// The other target gave the members other numbers, since it did not know of this lock.
 TEST_F(MovesTest, AnotherTargetMustHaveTakenTheTypeWithItsNumbers) {
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
