@@ -139,7 +139,7 @@ class Run {
       writeText(file.path, file.text);
       std::cout << "fixed " << file.path << "\n";
     }
-    std::cout << "errors fixed: " << fixes.fixed << ", left: " << fixes.open << "\n";
+    std::cout << "findings fixed: " << fixes.fixed << ", left: " << fixes.open << "\n";
     return fixes.open == 0;
   }
 

@@ -46,11 +46,12 @@ bool commit(const std::vector<clang::FixItHint>& hints, clang::edit::EditedSourc
             Inserted& inserted) {
   const clang::SourceManager& sources = edited.getSourceManager();
   clang::edit::Commit change(edited);
+  Inserted added;
   for (const clang::FixItHint& hint : hints) {
     if (!isOurs(hint, sources)) return false;
-    if (isInsertion(hint) &&
-        !inserted.emplace(hint.RemoveRange.getBegin(), hint.CodeToInsert).second) {
-      continue;
+    if (isInsertion(hint)) {
+      const Inserted::value_type one{hint.RemoveRange.getBegin(), hint.CodeToInsert};
+      if (inserted.contains(one) || !added.insert(one).second) continue;
     }
     if (hint.CodeToInsert.empty()) {
       change.remove(hint.RemoveRange);
@@ -60,7 +61,9 @@ bool commit(const std::vector<clang::FixItHint>& hints, clang::edit::EditedSourc
       change.replace(hint.RemoveRange, hint.CodeToInsert);
     }
   }
-  return !hints.empty() && change.isCommitable() && edited.commit(change);
+  if (hints.empty() || !change.isCommitable() || !edited.commit(change)) return false;
+  inserted.merge(added);
+  return true;
 }
 
 }  // namespace
