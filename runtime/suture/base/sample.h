@@ -26,7 +26,7 @@ class Sample<void> {
   bool hasValue() const { return usable_; }
   explicit operator bool() const { return usable_; }
   Time stamp() const { return stamp_; }
-  Duration age() const { return since(stamp_); }
+  Duration age() const { return carriesValue() ? since(stamp_) : Duration::max(); }
   Errc error() const { return error_; }
   /// Returns true if there is a value, either to act on or only to look at.
   bool carriesValue() const { return toNanoseconds(stamp_) != 0; }
@@ -54,7 +54,8 @@ class Sample {
 
   /// Returns when the provider produced the value, on this process's clock.
   Time stamp() const { return answer_.stamp(); }
-  /// Returns how old the value is now, on this process's clock.
+  /// Returns how old the value is now, on this process's clock; Duration::max() without a value, so
+  /// that a test for too great an age holds for it too.
   Duration age() const { return answer_.age(); }
   /// Returns why there is no value to act on, or 0 if there is one. It is Errc::Stale or Errc::Lost
   /// also for a value that the connection's contract lets pass or replaces by zero

@@ -35,5 +35,12 @@ TEST(ReadAge, BeginsWithTheFirstRowOfAConnection) {
   EXPECT_EQ(next->client.readAge->count(), 1u);
 }
 
+TEST(ReadAge, IsTooGreatForAnyLimitWithoutAValue) {
+  ArmClient client;
+  EXPECT_EQ(client.arm.measured_cp().age(), Duration::max());  // it was never connected
+  client.arm.attach(channelWithRow(now()));
+  EXPECT_LT(client.arm.measured_cp().age(), Duration::max());
+}
+
 }  // namespace
 }  // namespace suture
