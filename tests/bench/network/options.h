@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace bench {
 
@@ -13,6 +14,7 @@ struct NetworkOptions {
   int cpu;       ///< of both ends
   int otherCpu;  ///< of the writer beside a reader; the same one if there is no other
   bool quick = false;
+  std::string lane;  ///< of the round trips, by the name of its figure; "" = all
 
   NetworkOptions();
   void addTo(CLI::App& options);
@@ -20,6 +22,8 @@ struct NetworkOptions {
 
   std::size_t skipped() const { return quick ? 10 : 1000; }
   std::size_t kept() const { return quick ? 100 : 10000; }
+  /// A profiler, for which one lane alone is measured, wants seconds of it.
+  std::size_t keptOfLane() const { return kept() * (lane.empty() ? 1 : 30); }
   std::uint64_t steadyCycles() const { return quick ? 100 : 5000; }
   std::size_t fanOutRounds() const { return quick ? 100 : 3000; }
   std::size_t goals() const { return quick ? 100 : 5000; }
