@@ -145,22 +145,24 @@ void forEachPayload(const model::Interface& interface, const Emit& emit) {
   }
 }
 
-/// Emits an enum of what the contract declares itself, numbered behind what it inherits.
+/// Emits the numbers of what the contract declares itself, behind those of what it inherits. They
+/// are an unscoped enum within a struct, so that a table takes them without a cast.
 template <class Declarations>
 void emitNumbers(Code& code, const std::string& contract, const char* kind, const std::string& doc,
                  const Declarations& own, std::size_t inherited) {
   if (own.empty()) return;
-  code.line("/// Names ", doc, ".");
-  code.open("enum class ", contract, kind, " : std::uint16_t {");
+  code.line("/// Numbers ", doc, ".");
+  code.open("struct ", contract, kind, " {").open("enum : std::uint16_t {");
   for (const auto* const declaration : own) {
     code.line(declaration->name, startOf(std::exchange(inherited, 0)), ",");
   }
-  code.close("};").blank();
+  code.close("};").close("};").blank();
 }
 
-/// Returns "the numbers of Arm's own events".
-std::string numbersOf(const std::string& contract, const char* plural, std::size_t inherited) {
-  return "the numbers of " + contract + (inherited == 0 ? "'s " : "'s own ") + plural;
+/// Returns "the events of Arm, behind those that it inherits".
+std::string numbered(const std::string& contract, const char* plural, std::size_t inherited) {
+  return std::string("the ") + plural + " of " + contract +
+         (inherited == 0 ? "" : ", behind those that it inherits");
 }
 
 }  // namespace
@@ -185,15 +187,15 @@ void emitArguments(Code& code, const Context& context, const model::Interface& i
   });
   const auto commands = ownCommands(interface);
   const std::size_t otherCommands = interface.commands.size() - commands.size();
-  emitNumbers(code, contract, "Command",
-              numbersOf(contract, "commands in every table and record", otherCommands), commands,
+  emitNumbers(code, contract, "Command", numbered(contract, "commands", otherCommands), commands,
               otherCommands);
   const auto events = ownEvents(interface);
   const std::size_t otherEvents = interface.events.size() - events.size();
-  emitNumbers(code, contract, "Event", numbersOf(contract, "events", otherEvents), events,
+  emitNumbers(code, contract, "Event", numbered(contract, "events", otherEvents), events,
               otherEvents);
-  emitNumbers(code, contract, "Column", "where a row of the state has each read of " + contract,
-              readsOf(interface), 0);
+  emitNumbers(code, contract, "Column",
+              "the reads of " + contract + " as a row of the state has them", readsOf(interface),
+              0);
 }
 
 void emitArgumentConversions(Code& code, const Context& context,

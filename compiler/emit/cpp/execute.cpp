@@ -108,7 +108,7 @@ void emitExecute(Code& code, const Context& context, const model::Interface& int
             ", ", kBreakText, "std::byte* ", named("result", answers), ") {");
   if (any) {
     code.line("using ::", generatedName(interface.name, context.lookup), "Command;");
-    code.open("switch (static_cast<", prefixOf(interface, context), "Command>(command)) {");
+    code.open("switch (command) {");
     for (const model::Command* const command : own) emitCase(code, context, interface, *command);
     code.close("}");
   }

@@ -57,11 +57,24 @@ void emitHeaderIncludes(Code& code, const Context& context) {
   code.blank();
 }
 
+/// Leads a reader past the slots to what he calls.
+void emitGuide(Code& code, const Context& context) {
+  if (context.header.interfaces.empty()) return;
+  const std::string stem = model::stemOf(context.header.path);
+  code.line("//");
+  code.line(
+      "// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below");
+  code.line("// the slots, in which arguments wait. ", stem.substr(stem.rfind('/') + 1),
+            ".suture.md has the reference.");
+}
+
 }  // namespace
 
 std::string headerFile(const Context& context) {
   Code code;
-  code.verbatim(banner(context.header)).line("#pragma once").blank();
+  code.verbatim(banner(context.header));
+  emitGuide(code, context);
+  code.line("#pragma once").blank();
   emitHeaderIncludes(code, context);
   const bool deprecated = mentionsDeprecated(context);
   if (deprecated) code.verbatim("#pragma GCC diagnostic push\n");

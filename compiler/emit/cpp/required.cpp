@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "compiler/emit/text/call_words.h"
 #include "compiler/emit/text/contract.h"
 #include "compiler/emit/text/parts.h"
 #include "compiler/lock/schema/wire_type.h"
@@ -38,6 +39,15 @@ std::string memberType(const Context& context, const model::Interface& interface
   return "";
 }
 
+/// Says what an editor shall show beside the command's documentation.
+std::string wayOf(const model::Command& command) {
+  std::string words = callWords(command);
+  for (const model::Parameter& one : command.parameters) {
+    words += limitWords("`" + one.name + "`", {one.unit, one.range});
+  }
+  return words + limitWords("The answer", {command.resultUnit, command.resultRange});
+}
+
 template <class Member>
 bool isDeprecated(const Member* member) {
   return !member->lifecycle.deprecated.empty();
@@ -70,7 +80,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
   });
   code.blank();
   for (const model::Event* const event : ownEvents(interface)) {
-    code.doc(event->doc.text);
+    code.doc(event->doc.text).remark(deliveryWords(*event));
     emitDeprecation(code, event);
     code.line("Subscription<", eventArguments(context, interface, *event), "> ", event->name, ";");
   }
@@ -114,10 +124,10 @@ void emitRequired(Code& code, const Context& context, const model::Interface& in
   code.blank().label("public:");
   emitConstructor(code, interface);
   for (const model::Command* const command : ownCommands(interface)) {
-    code.doc(command->doc.text);
+    code.doc(command->doc.text).remark(wayOf(*command));
     emitDeprecation(code, command);
     code.line(memberType(context, interface, *command), " ", command->name, "{", kBreakText,
-              "*this, static_cast<std::uint16_t>(Id::", command->name, ")};");
+              "*this, Id::", command->name, "};");
   }
   const bool events = !ownEvents(interface).empty();
   if (events) emitEvents(code, context, interface);

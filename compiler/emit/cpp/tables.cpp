@@ -73,8 +73,7 @@ void emitCommand(Code& table, Code& before, const Context& context,
   if (command.latest) members.push_back(".latest = true");
   if (command.ttlNanoseconds) members.push_back(duration(".ttl", *command.ttlNanoseconds));
   if (command.kind == model::CommandKind::Read) {
-    members.push_back(".column = static_cast<int>(" + columnName(interface, command, context) +
-                      ")");
+    members.push_back(".column = " + columnName(interface, command, context));
   }
   if (command.deadlineNanoseconds) {
     members.push_back(duration(".deadline", *command.deadlineNanoseconds));

@@ -5,7 +5,9 @@
 
 #include "compiler/emit/docs/markdown.h"
 #include "compiler/emit/docs/page_commands.h"
+#include "compiler/emit/docs/page_sketch.h"
 #include "compiler/emit/docs/page_types.h"
+#include "compiler/emit/text/call_words.h"
 #include "compiler/lock/major_versions.h"
 #include "compiler/lock/schema/lock.h"
 #include "compiler/model/naming.h"
@@ -93,11 +95,15 @@ class Page {
     if (interface.crtk)
       add("Its names and payloads follow CRTK (collaborative-robotics.github.io).");
     if (interface.version > 1) add("Version " + std::to_string(interface.version) + ".");
-    if (major > 1) add("Wire major " + std::to_string(major) + ": peers of another are refused.");
+    if (major > 1) {
+      add("Wire major " + std::to_string(major) +
+          ": a peer whose contract has another major is refused.");
+    }
     const std::string lifecycle = lifecycleWords(interface.lifecycle);
     if (!lifecycle.empty()) add(lifecycle);
     return "## " + contractHeading(interface.name) + "\n\n" + paragraph(prose(interface.doc.text)) +
-           (facts.empty() ? "" : facts + "\n") + commandSections(context_, types_, interface);
+           (facts.empty() ? "" : facts + "\n") + sketch(context_, interface) +
+           commandSections(context_, types_, interface);
   }
 
   std::string component(const model::Component& component) const {

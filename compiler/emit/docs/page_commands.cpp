@@ -3,55 +3,13 @@
 #include <algorithm>
 
 #include "compiler/emit/docs/markdown.h"
-#include "compiler/emit/text/contract.h"
+#include "compiler/emit/text/call_words.h"
+#include "compiler/emit/text/context.h"
 #include "compiler/lock/schema/wanted.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
 namespace {
-
-using model::CommandKind;
-
-std::string kindWords(CommandKind kind) {
-  switch (kind) {
-    case CommandKind::Void: return "Void";
-    case CommandKind::Write: return "Write";
-    case CommandKind::Read: return "Read";
-    case CommandKind::QualifiedRead: return "Qualified read";
-    case CommandKind::VoidReturn: return "Void with return";
-    case CommandKind::WriteReturn: return "Write with return";
-  }
-  return "";
-}
-
-bool isRead(const model::Command& command) { return command.kind == CommandKind::Read; }
-
-bool isQueued(const model::Command& command) {
-  return !isRead(command) && command.kind != CommandKind::QualifiedRead;
-}
-
-bool isAnswered(const model::Command& command) { return command.result && !isRead(command); }
-
-/// Says how a command or an event waits for its turn.
-template <class Waiting>
-std::string queueWords(const Waiting& one) {
-  if (one.latest) return "a newer one replaces the one that waits.";
-  return "at most " + std::to_string(one.queue) + " wait.";
-}
-
-/// Says what a caller has to know of a command's way to the component and back.
-std::string callWords(const model::Command& command) {
-  if (isRead(command)) return "answered at once from the newest evaluation.";
-  std::string words = isQueued(command) ? queueWords(command) : "asked in the component's thread.";
-  if (command.concurrent) words = "may run while the component runs.";
-  if (command.direct) words += " Touches atomics only.";
-  if (command.ttlNanoseconds) {
-    words += " Not executed when older than " + durationWords(*command.ttlNanoseconds) + ".";
-  }
-  if (!isAnswered(command)) return words;
-  return words + " `within()` waits " +
-         durationWords(command.deadlineNanoseconds.value_or(1'000'000'000)) + " for the answer.";
-}
 
 std::string signature(const model::Command& command, const std::string& home) {
   std::string parameters;
@@ -62,7 +20,7 @@ std::string signature(const model::Command& command, const std::string& home) {
   }
   std::string result = command.result ? cxxType(*command.result, home) : "void";
   if (command.resultByReference) result = "const " + result + "&";
-  const bool reads = isRead(command) || command.kind == CommandKind::QualifiedRead;
+  const bool reads = !isQueued(command);
   return result + " " + command.name + "(" + parameters + ")" + (reads ? " const" : "");
 }
 
@@ -122,7 +80,7 @@ class Sections {
           "- Answers: " + types_.value(*command.result, {command.resultUnit, command.resultRange}) +
           "\n";
     }
-    text += "- " + kindWords(command.kind) + ": " + callWords(command) + "\n";
+    text += "- " + callWords(command) + "\n";
     if (command.optional) text += "- Optional: a provider may lack it (`NotImplemented`).\n";
     return text + origin(command.inheritedFrom, command.lifecycle);
   }
@@ -150,8 +108,7 @@ class Sections {
               types_.value(event.payload[i], limits) + "\n";
     }
     if (event.payload.empty()) text += "- Carries nothing.\n";
-    text += "- At a subscriber: " + queueWords(event) + "\n";
-    if (event.latched) text += "- Latched: who subscribes later gets the last one.\n";
+    text += "- " + deliveryWords(event) + "\n";
     return text + origin(event.inheritedFrom, event.lifecycle);
   }
 
@@ -183,7 +140,7 @@ class Sections {
     add(any(carries), "Invalid", "commands with arguments, reads, answers",
         "a number is not finite, or outside its range");
     add(any(isRead), "NotYet", "reads",
-        "nobody has produced the value so far; asking started that");
+        "nobody has asked for the value before; it is there after the provider's next cycle");
     add(any(aged), "Late", "commands that age", "too old when its turn came; not executed");
     add(any(isQueued), "Superseded", "commands that wait",
         "a later one had run already; not executed");
@@ -203,15 +160,6 @@ class Sections {
 };
 
 }  // namespace
-
-std::string durationWords(std::int64_t nanoseconds) {
-  const auto in = [nanoseconds](std::int64_t unit) {
-    return number(static_cast<double>(nanoseconds) / static_cast<double>(unit));
-  };
-  std::string text = nanoseconds < 1'000'000'000 ? in(1'000'000) + " ms" : in(1'000'000'000) + " s";
-  if (const std::size_t zero = text.find(".0 "); zero != std::string::npos) text.erase(zero, 2);
-  return text;
-}
 
 std::string commandSections(const Context& context, const PageTypes& types,
                             const model::Interface& interface) {

@@ -10,7 +10,4 @@ namespace suture::compiler::emit {
 std::string commandSections(const Context& context, const PageTypes& types,
                             const model::Interface& interface);
 
-/// Returns "20 ms", "1.5 s".
-std::string durationWords(std::int64_t nanoseconds);
-
 }  // namespace suture::compiler::emit

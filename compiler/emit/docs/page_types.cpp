@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/emit/docs/markdown.h"
-#include "compiler/emit/text/contract.h"
+#include "compiler/emit/text/call_words.h"
 #include "compiler/lock/schema/wire_type.h"
 #include "compiler/model/naming.h"
 
@@ -78,11 +78,6 @@ std::string paragraph(const std::string& text) { return text.empty() ? "" : text
 
 }  // namespace
 
-std::string rangeWords(const model::Limits& limits) {
-  if (!limits.range) return "";
-  return "from " + number(limits.range->first) + " to " + number(limits.range->second);
-}
-
 std::string lifecycleWords(const model::Lifecycle& lifecycle) {
   std::string words;
   if (lifecycle.since) words = "Since version " + std::to_string(*lifecycle.since) + ".";
@@ -110,6 +105,13 @@ std::string PageTypes::words(const Type& type) const {
     case Shape::AnyMatrix: return anyMatrix(type) + bytes;
     default: return composite(type);
   }
+}
+
+/// Returns how a member is declared where its words do not say it: "" for `double` and Pose.
+std::string PageTypes::cxxWords(const Type& type) const {
+  if (type.shape == Shape::Scalar || type.shape == Shape::Enum || type.shape == Shape::Struct)
+    return "";
+  return inCode(cxxType(type, context_.header.cxxNamespace));
 }
 
 std::string PageTypes::sequence(const Type& type) const {
@@ -169,9 +171,9 @@ std::string PageTypes::section(const model::Enum& declaration) const {
 }
 
 std::string PageTypes::section(const model::Struct& declaration) const {
-  MarkdownTable table({"field", "type", "unit", "range", "default", "about"});
+  MarkdownTable table({"field", "type", "C++", "unit", "range", "default", "about"});
   for (const model::Field& field : declaration.fields) {
-    table.add({inCode(field.name), words(field.type), field.unit,
+    table.add({inCode(field.name), words(field.type), cxxWords(field.type), field.unit,
                rangeWords({field.unit, field.range}), defaultWords(field),
                about(field.doc, field.lifecycle)});
   }

@@ -24,6 +24,7 @@ class PageTypes {
   std::string sections() const;
 
  private:
+  std::string cxxWords(const model::Type& type) const;
   std::string sequence(const model::Type& type) const;
   std::string composite(const model::Type& type) const;
   std::string list(const model::Type& type, const char* separator) const;
@@ -34,9 +35,6 @@ class PageTypes {
   const Context& context_;
   const Reached& shown_;
 };
-
-/// Returns "from -0.5 to 2"; "" without a range.
-std::string rangeWords(const model::Limits& limits);
 
 /// Returns "Since version 2. **Deprecated:** use move_jp." as far as something was said.
 std::string lifecycleWords(const model::Lifecycle& lifecycle);

@@ -149,6 +149,19 @@ Code& Code::doc(std::string_view text) {
   return *this;
 }
 
+Code& Code::remark(std::string_view text) {
+  const std::size_t width = kColumns - depth_ * kStep - std::string_view("/// ").size();
+  std::istringstream words{std::string(text)};
+  std::string lines, line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > width) {
+      lines += std::exchange(line, "") + '\n';
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return doc(lines + line);
+}
+
 Code& Code::close(std::string_view text) {
   --depth_;
   return write(text);

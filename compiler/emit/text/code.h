@@ -36,6 +36,8 @@ class Code {
   Code& verbatim(std::string_view text);
   /// Writes a `///` comment of as many lines as the text has; nothing when it is empty.
   Code& doc(std::string_view text);
+  /// Writes a `///` comment of one paragraph, which it breaks into lines.
+  Code& remark(std::string_view text);
 
   /// Writes `line`, then everything one step deeper until close().
   template <class... Pieces>

@@ -42,8 +42,7 @@ void emitEventConstructor(Code& code, const model::Interface& interface, const s
     lead = "      ";
   }
   for (const model::Event* const event : events) {
-    code.line(lead, event->name, "{", argument,
-              ", static_cast<std::uint16_t>(EventId::", event->name, ")}",
+    code.line(lead, event->name, "{", argument, ", ", kBreakText, "EventId::", event->name, "}",
               event == events.back() ? " {}" : ",");
     lead = "      ";
   }

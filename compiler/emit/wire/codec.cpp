@@ -101,7 +101,7 @@ void emitEncodeColumns(Code& code, const Context& context, const model::Interfac
   code.open("void encode", prefixOf(interface, context), "Column(", kBreakText, "unsigned column, ",
             kBreakText, "const std::byte* memory, ", kBreakText, wireRow(interface),
             "::Builder out) {");
-  code.open("switch (static_cast<", prefixOf(interface, context), "Column>(column)) {");
+  code.open("switch (column) {");
   for (const model::Command* const read : readsOf(interface)) {
     const Message column = columnOf(context, interface, *read);
     code.choice("case " + columnName(interface, *read, context) + ":",
@@ -115,7 +115,7 @@ void emitDecodeColumns(Code& code, const Context& context, const model::Interfac
   code.open("suture::Errc decode", prefixOf(interface, context), "Column(", kBreakText,
             wireRow(interface), "::Reader in, ", kBreakText, "unsigned column, ", kBreakText,
             "std::byte* memory, ", kBreakText, "suture::Duration shift) {");
-  code.open("switch (static_cast<", prefixOf(interface, context), "Column>(column)) {");
+  code.open("switch (column) {");
   for (const model::Command* const read : readsOf(interface)) {
     const Message column = columnOf(context, interface, *read);
     code.choice("case " + columnName(interface, *read, context) + ":",

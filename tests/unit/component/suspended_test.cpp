@@ -95,8 +95,7 @@ TEST(Suspended, CommandsFromBeforeTheResumeAreRefused) {
   task.trigger();
   EXPECT_EQ(task.state(), State::Running);
   // A lane claims so what comes out of a network.
-  ASSERT_TRUE(channel->commands.claim(static_cast<std::uint16_t>(reference::ArmLikeCommand::hold),
-                                      sent, 0));
+  ASSERT_TRUE(channel->commands.claim(reference::ArmLikeCommand::hold, sent, 0));
   channel->commands.commit();
   EXPECT_TRUE(task.trigger());
   EXPECT_EQ(channel->commands.counters.executed, 0u);

@@ -34,13 +34,12 @@ TEST(JsonLines, WritesOneObjectALine) {
   pose.valid = true;
   robots::PoseStampedSlot slot{};
   ASSERT_TRUE(store(pose, slot));
-  const CollectedValue values[] = {
-      {static_cast<std::uint16_t>(Command::measured_cp), reinterpret_cast<std::byte*>(&slot)},
-      {static_cast<std::uint16_t>(Command::measured_js), nullptr}};
+  const CollectedValue values[] = {{Command::measured_cp, reinterpret_cast<std::byte*>(&slot)},
+                                   {Command::measured_js, nullptr}};
   sink.row(from, 17, fromNanoseconds(6), values);
   sink.missed(from, 3);
   const std::uint8_t reached = 1;
-  sink.event(from, static_cast<std::uint16_t>(robots::ArmEvent::goal_reached), fromNanoseconds(7),
+  sink.event(from, robots::ArmEvent::goal_reached, fromNanoseconds(7),
              reinterpret_cast<const std::byte*>(&reached));
   ASSERT_TRUE(sink.flush());
 
@@ -63,7 +62,7 @@ TEST(JsonLines, WritesOneObjectALine) {
 TEST(StateCollector, RefusesAContractWithAReadWithoutBounds) {
   InterfaceInfo contract = interfaceInfo<robots::Arm>();
   std::vector<CommandInfo> commands(contract.commands.begin(), contract.commands.end());
-  commands[static_cast<std::size_t>(robots::ArmCommand::measured_js)].sharedResult = true;
+  commands[robots::ArmCommand::measured_js].sharedResult = true;
   contract.commands = commands;
   const TemporaryDirectory directory;
   JsonLines sink(directory.file("run.jsonl"));
@@ -77,10 +76,9 @@ TEST(JsonLines, EventValuesAreNamed) {
   const CollectedInterface from{"Collector", interfaceInfo<reference::ArmLike>()};
   reference::ArmLikeMovedPayload moved{};
   moved.value2 = 1.5;
-  sink.event(from, static_cast<std::uint16_t>(reference::ArmLikeEvent::moved), fromNanoseconds(1),
+  sink.event(from, reference::ArmLikeEvent::moved, fromNanoseconds(1),
              reinterpret_cast<const std::byte*>(&moved));
-  sink.event(from, static_cast<std::uint16_t>(reference::ArmLikeEvent::stopped), fromNanoseconds(2),
-             nullptr);
+  sink.event(from, reference::ArmLikeEvent::stopped, fromNanoseconds(2), nullptr);
   ASSERT_TRUE(sink.flush());
   const std::vector<json> lines = linesOf(file);
   EXPECT_EQ(lines.at(0)["value"]["value2"], 1.5);
@@ -92,8 +90,8 @@ TEST(JsonLines, EventValuesAreNamed) {
 TEST(JsonLines, AReadAvoidsTheLinesOwnKeys) {
   InterfaceInfo contract = interfaceInfo<robots::Arm>();
   std::vector<CommandInfo> commands(contract.commands.begin(), contract.commands.end());
-  const auto read = static_cast<std::size_t>(robots::ArmCommand::measured_cp);
-  const auto other = static_cast<std::size_t>(robots::ArmCommand::measured_js);
+  const std::size_t read = robots::ArmCommand::measured_cp;
+  const std::size_t other = robots::ArmCommand::measured_js;
   commands[read].name = "row";
   commands[other].name = "event";
   contract.commands = commands;

@@ -106,14 +106,13 @@ Slot turned(suture::StampShift shift, Slot slot) {
 
 TEST(Moments, TheContractSaysWhereTheyAre) {
   const suture::InterfaceInfo& info = suture::interfaceInfo<Journal>();
-  const auto number = [](JournalCommand command) { return static_cast<std::size_t>(command); };
-  const auto& put = info.commands[number(JournalCommand::put)];
+  const auto& put = info.commands[JournalCommand::put];
   EXPECT_EQ(turned(put.shiftArguments, JournalPutArguments{1, 1}).from, 7'000'000'001);
   EXPECT_EQ(turned(put.shiftArguments, JournalPutArguments{1, 1}).number, 1);
-  EXPECT_EQ(info.commands[number(JournalCommand::count)].shiftArguments, nullptr);
-  const auto& latest = info.commands[number(JournalCommand::latest)];
+  EXPECT_EQ(info.commands[JournalCommand::count].shiftArguments, nullptr);
+  const auto& latest = info.commands[JournalCommand::latest];
   EXPECT_EQ(turned(latest.shiftResult, std::int64_t{1}), 7'000'000'001);
-  const auto& moments = info.commands[number(JournalCommand::moments)];
+  const auto& moments = info.commands[JournalCommand::moments];
   MomentsSlot slot{};
   slot.pair[1] = 1;
   EXPECT_EQ(turned(moments.shiftResult, slot).pair[1], 7'000'000'001);

@@ -370,9 +370,7 @@ TEST(Calls, ALackingCommandIsNotImplemented) {
   // An older provider has such a channel.
   const auto older = std::make_shared<Channel>(
       client.arm.info(),
-      Channel::Terms{.name = "test",
-                     .lacking = {static_cast<std::uint16_t>(reference::ArmLikeCommand::park)}},
-      "local",
+      Channel::Terms{.name = "test", .lacking = {reference::ArmLikeCommand::park}}, "local",
       Channel::Ends{
           .client = client.sharedDoorbell(), .provider = arm.sharedDoorbell(), .here = &arm.arm},
       arm.arm.state(), EventSet{0});
