@@ -13,7 +13,7 @@
 
 namespace robots {
 
-/// Is a velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.
+/// Is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's prmVelocityCartesianGet.
 struct SUTURE_TYPE() Twist {
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular = Eigen::Vector3d::Zero();
@@ -24,7 +24,7 @@ struct SUTURE_TYPE() Twist {
   bool valid = false;
 };
 
-/// Is a velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
+/// Is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's prmVelocityCartesianSet.
 struct SUTURE_TYPE() TwistGoal {
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular = Eigen::Vector3d::Zero();
@@ -35,7 +35,8 @@ struct SUTURE_TYPE() TwistGoal {
   suture::Time stamp;
 };
 
-/// Is force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
+/// Is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to cisst's
+/// prmForceCartesianGet.
 struct SUTURE_TYPE() Wrench {
   SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
@@ -48,7 +49,7 @@ struct SUTURE_TYPE() Wrench {
   bool valid = false;
 };
 
-/// Is force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
+/// Is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's prmForceCartesianSet.
 struct SUTURE_TYPE() WrenchGoal {
   SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
@@ -57,7 +58,8 @@ struct SUTURE_TYPE() WrenchGoal {
   suture::Time stamp;
 };
 
-/// Is pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
+/// Is pose, velocity and force of one instant, as CRTK's measured_cs says it. Corresponds to
+/// cisst's prmStateCartesian.
 struct SUTURE_TYPE() CartesianState {
   suture::FrameId moving_frame = 0;
   suture::FrameId reference_frame = 0;
@@ -72,7 +74,7 @@ struct SUTURE_TYPE() CartesianState {
   suture::Time stamp;
 };
 
-/// Is a pose to reach, and how to get there: prmPositionCartesianSet.
+/// Is a pose to reach, and how to get there. Corresponds to cisst's prmPositionCartesianSet.
 struct SUTURE_TYPE() CartesianGoal {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d goal = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
@@ -99,7 +101,8 @@ enum class SUTURE_TYPE() ServoMode : std::uint8_t {
   All = 7,
 };
 
-/// Has position, velocity and effort in one servo command: prmServoCartesian.
+/// Has position, velocity and effort in one servo command. Corresponds to cisst's
+/// prmServoCartesian.
 struct SUTURE_TYPE() ServoCartesian {
   /// Is the frame, in the base frame, whose axes are used below.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();
@@ -130,7 +133,8 @@ struct SUTURE_TYPE() AngularHalfPlaneGains {
   SUTURE_FIELD(unit("rad")) Eigen::Vector3d deadband = Eigen::Vector3d::Zero();
 };
 
-/// Is a spring that holds the tool tip, per axis and side: prmCartesianImpedance.
+/// Is a spring that holds the tool tip, per axis and side. Corresponds to cisst's
+/// prmCartesianImpedance.
 struct SUTURE_TYPE() CartesianImpedance {
   /// Holds the axes along which the forces act.
   Eigen::Matrix3d force_orientation = Eigen::Matrix3d::Identity();

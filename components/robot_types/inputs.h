@@ -19,14 +19,14 @@ enum class SUTURE_TYPE() ButtonAction : std::uint8_t {
   DoubleClicked,
 };
 
-/// prmEventButton.
+/// Corresponds to cisst's prmEventButton.
 struct SUTURE_TYPE() ButtonEvent {
   ButtonAction type = ButtonAction::Undefined;
   suture::Time stamp;
   bool valid = false;
 };
 
-/// prmInputData.
+/// Corresponds to cisst's prmInputData.
 struct SUTURE_TYPE() InputData {
   SUTURE_FIELD(capacity(32)) std::vector<double> analog_inputs;
   SUTURE_FIELD(capacity(64)) std::vector<bool> digital_inputs;
@@ -34,7 +34,7 @@ struct SUTURE_TYPE() InputData {
   bool valid = false;
 };
 
-/// prmIMUSensors.
+/// Corresponds to cisst's prmIMUSensors.
 struct SUTURE_TYPE() ImuSample {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();

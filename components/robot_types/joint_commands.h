@@ -13,7 +13,7 @@
 
 namespace robots {
 
-/// prmPositionJointGet.
+/// Corresponds to cisst's prmPositionJointGet.
 struct SUTURE_TYPE() JointPosition {
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
   /// Say when each joint was read.
@@ -22,7 +22,7 @@ struct SUTURE_TYPE() JointPosition {
   bool valid = false;
 };
 
-/// prmPositionJointSet.
+/// Corresponds to cisst's prmPositionJointSet.
 struct SUTURE_TYPE() JointPositionGoal {
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> goal;
   /// Is optional.
@@ -36,14 +36,14 @@ struct SUTURE_TYPE() JointPositionGoal {
   suture::Time stamp;
 };
 
-/// prmVelocityJointGet.
+/// Corresponds to cisst's prmVelocityJointGet.
 struct SUTURE_TYPE() JointVelocity {
   SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity;
   suture::Time stamp;
   bool valid = false;
 };
 
-/// CRTK's servo_jv: prmVelocityJointSet.
+/// Is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.
 struct SUTURE_TYPE() JointVelocityGoal {
   SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> goal;
   /// Is optional.
@@ -57,7 +57,7 @@ struct SUTURE_TYPE() JointVelocityGoal {
   suture::Time stamp;
 };
 
-/// CRTK's servo_jf: prmForceTorqueJointSet.
+/// Is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.
 struct SUTURE_TYPE() JointEffortGoal {
   SUTURE_FIELD(capacity(8), unit("N.m")) std::vector<double> effort;
   /// Is optional, and says which joints count; if it is empty, all do.
@@ -74,7 +74,8 @@ enum class SUTURE_TYPE() JointType : std::uint8_t {
   Inactive,
 };
 
-/// Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.
+/// Says what the joints are and what they may do, for CRTK's configuration_js. Corresponds to
+/// cisst's prmConfigurationJoint.
 struct SUTURE_TYPE() JointConfiguration {
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> name;
   SUTURE_FIELD(capacity(8)) std::vector<JointType> type;
@@ -89,7 +90,7 @@ struct SUTURE_TYPE() JointConfiguration {
   bool valid = false;
 };
 
-/// Has position, velocity and effort in one servo command: prmServoJoint.
+/// Has position, velocity and effort in one servo command; corresponds to cisst's prmServoJoint.
 struct SUTURE_TYPE() ServoJoint {
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> name;
   /// Has these bits for each joint: 1 position, 2 velocity, 4 effort.
@@ -102,8 +103,8 @@ struct SUTURE_TYPE() ServoJoint {
   suture::Time stamp;
 };
 
-/// Turns actuators into joints and back, joints x actuators, row-major:
-/// prmActuatorJointCoupling.
+/// Turns actuators into joints and back, joints x actuators, row-major.
+/// Corresponds to cisst's prmActuatorJointCoupling.
 struct SUTURE_TYPE() ActuatorJointCoupling {
   std::uint32_t joints = 0;
   std::uint32_t actuators = 0;

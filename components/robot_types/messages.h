@@ -21,7 +21,7 @@ struct SUTURE_TYPE() IntervalStatistics {
   bool valid = false;
 };
 
-/// prmKeyValue.
+/// Corresponds to cisst's prmKeyValue.
 struct SUTURE_TYPE() KeyValue {
   SUTURE_FIELD(capacity(31)) std::string key;
   SUTURE_FIELD(capacity(127)) std::string value;

@@ -13,7 +13,7 @@
 
 namespace robots {
 
-/// Has the poses of several tools at once: prmPositionCartesianArrayGet.
+/// Has the poses of several tools at once. Corresponds to cisst's prmPositionCartesianArrayGet.
 struct SUTURE_TYPE() PoseArray {
   SUTURE_FIELD(capacity(15)) std::string reference_frame;
   SUTURE_FIELD(capacity(16, 15)) std::vector<std::string> moving_frames;
@@ -23,7 +23,7 @@ struct SUTURE_TYPE() PoseArray {
   bool valid = false;
 };
 
-/// prmImageFrame.
+/// Corresponds to cisst's prmImageFrame.
 struct SUTURE_TYPE() ImageFrame {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -34,7 +34,7 @@ struct SUTURE_TYPE() ImageFrame {
   bool valid = false;
 };
 
-/// prmCameraInfo: a pinhole with its distortion.
+/// Is a pinhole camera with its distortion. Corresponds to cisst's prmCameraInfo.
 struct SUTURE_TYPE() CameraInfo {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -48,7 +48,7 @@ struct SUTURE_TYPE() CameraInfo {
   bool valid = false;
 };
 
-/// Is a cloud of coloured points: prmDepthMap.
+/// Is a cloud of coloured points. Corresponds to cisst's prmDepthMap.
 struct SUTURE_TYPE() DepthMap {
   SUTURE_FIELD(capacity(15)) std::string reference_frame;
   std::uint32_t width = 0;

@@ -31,33 +31,40 @@ enum ArmWarning @0xa4117f14f97ed1bb $Meta.cxx("robots::ArmWarning") $Meta.remove
 interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta.cxx("robots::Arm")
     $Meta.major(2) $Meta.version(2) {
   # Commands run in the arm's own thread before its next cycle; reads are from the end of its last
-  # one. An arm starts, and restarts, undefined. Once it hears of its drives, and they may have
-  # power, it is disabled and not homed. Until it is enabled it ignores motion commands.
+  # one. How a client calls and subscribes is in docs/howto/calling.md. Where a joint is prismatic,
+  # its units are m, m/s, m/s2 and N in place of rad, rad/s, rad/s2 and N.m.
+  #
+  # States are those of CRTK. An arm starts, and restarts, in Undefined. When its drives answer and
+  # power is permitted it becomes Disabled, and is not homed. Motion commands need state Enabled; in
+  # any other the arm refuses them. It enters Fault by itself, and leaves it by enable() or
+  # disable().
   #
   # An arm that is not homed, or not any more after an encoder jumped or unhome(), does not know
-  # where its tip is. It refuses Cartesian motion, servo, interpolation and moves, and obeys joint
-  # commands.
+  # where its tip is: it refuses all Cartesian motion commands (`servo_c*`, `*_servo_cf`,
+  # `interpolate_c*`, `move_c*`), and obeys those of joints.
   #
-  # An arm that works through a cannula does the same until its wrist is far enough beyond the
-  # remote centre: a da Vinci's must be 45 mm beyond it, and 2 mm more to begin. Joint commands and
-  # homing insert it.
+  # An arm that works through a cannula also refuses Cartesian motion until its wrist is far enough
+  # beyond the remote centre: for a da Vinci it must be 45 mm beyond; once it was less, 47 mm.
+  # home() and joint commands move the wrist through the cannula.
   #
   # `local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of
-  # the interface, in which base_frame() is the arm's base; the two are the same until a client sets
-  # another. A motion command replaces the one before it, of either space; relative goals are
-  # relative to the set-point. A servo stream that falls silent for 0.1 s ends as with hold(), and
-  # so does any stream whose client is gone.
+  # the interface, in which base_frame() is the arm's base. The two frames are the same until some
+  # client calls set_base_frame(), which counts for all clients.
   #
-  # Status, warning and error are the standard messages. Their `code` is an ArmWarning
-  # (arm_warning.h) if the arm refuses a command or something has happened to it. Each reason is
-  # reported once until the arm obeys again, a refused state command each time.
+  # Motion does not queue: each motion command replaces the one before it, of joints or of the tip,
+  # and relative goals are relative to the set-point. A servo stream that falls silent for 0.1 s
+  # ends as with hold(), and so does any stream whose client is gone.
+  #
+  # The arm reports each refusal, and what happens to it, by the events warning and error, whose
+  # `code` is an ArmWarning (arm_warning.h). A refused motion command is reported once until the arm
+  # obeys again; a refused state command is reported each time.
 
   subscribe @0 (events :ArmEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   enable @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Gives the drives power. The arm holds its position.
   disable @2 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Stops the arm at once, without power. It ignores motion until it is enabled again.
+  # Stops the arm at once and takes its power. It refuses motion until it is enabled again.
   home @3 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Moves the arm to its home position, if it is enabled. The move ends with goal_reached.
   hold @4 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
@@ -65,31 +72,34 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   servoCp @5 (goal :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("servo_cp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
   # Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along it, at the
-  # nearest point that the limits admit. A goal that is out of reach, or too far for one step,
-  # leaves the set-point. The arm reports both. setpoint_cp keeps the goal's stamp.
+  # nearest point that the limits admit, and warns of AtLimit. A goal that is out of reach, or
+  # farther from the set-point than the rate limits admit, is dropped with a warning, OutOfReach
+  # or StepTooFar, and the set-point stays where it was. setpoint_cp keeps the goal's stamp.
   servoJp @6 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
   # Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at the limit.
   moveJp @7 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("move_jp") $Meta.kind("write")
       $Meta.queue(16);
-  # Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:
-  # one may begin while it moves. Each ends at rest and with goal_reached.
+  # Plans and executes a smooth motion of the joints from the set-point, and from the velocity
+  # that it has: a move may replace another under way. It ends at rest and with goal_reached. A
+  # goal beyond a joint limit is refused.
   measuredJs @8 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("measured_js") $Meta.kind("read");
-  # Says where the joints are, and what their motors give; that list is empty if the drives do not
+  # Says where the joints are, and what their motors give; `effort` is empty if the drives do not
   # measure it. The stamp is that of the drives' cycle that measured them.
   setpointJs @9 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("setpoint_js") $Meta.kind("read");
-  # Says where the joints shall be.
+  # Says where the joints are commanded to be in this cycle.
   measuredCp @10 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("measured_cp") $Meta.kind("read");
   # Says where the tool tip is. The stamp is that of the drives' cycle that measured the joints.
   setpointCp @11 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("setpoint_cp") $Meta.kind("read");
-  # Says where the tool tip shall be. The stamp is that of the servo_cp or interpolate_cp goal
-  # from which it came, else that of the arm's cycle.
+  # Says where the tool tip is commanded to be in this cycle. The stamp is that of the servo_cp or
+  # interpolate_cp goal from which it came, else that of the arm's cycle.
   operatingState @12 (sent :Rpc.Sent) -> (value :OperatingState.OperatingState, stamp :Int64)
       $Meta.cxx("operating_state") $Meta.kind("read");
+  # Says in which state of CRTK the arm is, and whether it is homed.
   forwardKinematics @13 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
       $Meta.cxx("forward_kinematics") $Meta.kind("qualifiedRead");
   # Computes the tool tip for a joint vector; it is not valid if the vector has the wrong length.
@@ -99,20 +109,21 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   configurationJs @15 (sent :Rpc.Sent) -> (value :JointCommands.JointConfiguration, stamp :Int64)
       $Meta.cxx("configuration_js") $Meta.kind("read");
   # Says what the joints are and what they may do. Velocities are their rate limits, accelerations
-  # those of moves. Efforts are the most that the motors give; for a da Vinci they are published
-  # (dynamics/davinci_inertia.cpp: ftmax), accelerations are not. If nothing is bounded the lists
-  # are empty.
+  # those of moves, efforts the most that the motors give. For a da Vinci the efforts are from the
+  # literature, the accelerations our own. A list is empty if it bounds no joint.
   periodStatistics @16 (sent :Rpc.Sent) -> (value :Messages.IntervalStatistics, stamp :Int64)
       $Meta.cxx("period_statistics") $Meta.kind("read");
   # Says how regularly the arm's task ran in the last second.
   pause @17 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Stops the arm where the joints are. It ignores motion until resume().
+  # Stops the arm where the joints are. It refuses motion until resume().
   resume @18 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
+  # Ends a pause: the arm is enabled and holds.
   unhome @19 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Makes the arm forget that it is homed.
   stateCommand @20 (name :Text $Meta.capacity([15]), sent :Rpc.Sent) -> ()
       $Meta.cxx("state_command") $Meta.kind("write") $Meta.queue(16);
-  # Does one of the six above, by its name; any other name is an `error`.
+  # Does what its name says: "enable", "disable", "pause", "resume", "home" or "unhome". Any other
+  # name is reported as an error.
   goalJs @21 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64) $Meta.cxx("goal_js")
       $Meta.kind("read");
   # Says where the present move ends; without one, it is the set-point.
@@ -121,68 +132,79 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # Says where the present move ends; without one, it is the set-point.
   localMeasuredCp @23 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("local_measured_cp") $Meta.kind("read");
+  # Says where the tool tip is in the arm's base frame.
   localSetpointCp @24 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("local_setpoint_cp") $Meta.kind("read");
+  # Says where the tool tip is commanded to be, in the arm's base frame.
   measuredCv @25 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
       $Meta.cxx("measured_cv") $Meta.kind("read");
-  # Says how the tip moves, in the directions of the reference frame, which the twist names.
+  # Says how the tip moves, in the directions of the reference frame.
   setpointCv @26 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
       $Meta.cxx("setpoint_cv") $Meta.kind("read");
-  # Says how the set-point moves, whatever moves it, in the same directions. If it jumped, and in
-  # the first cycle of a motion, this is 0. The stamp is that of the arm's cycle.
+  # Says how the set-point moves, whatever moves it, in the directions of the reference frame. If
+  # it jumped, and in the first cycle of a motion, this is 0. The stamp is that of the arm's
+  # cycle.
   bodyMeasuredCf @27 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
       $Meta.cxx("body_measured_cf") $Meta.kind("read");
   # Says with which wrench the arm presses at its tip, in the tip's own directions: the motors'
   # efforts, less the arm's weight by its model, through the transposed Jacobian. It includes
   # friction, inertia and the errors of that model, so it is near a contact's force only if the
-  # arm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit;
-  # what touches the tip presses on it with the opposite. It is not valid if the drives measure no
-  # effort, without power, and beside a singularity. The stamp is that of the drives' cycle that
-  # measured the joints.
+  # arm is slow and presses hard. Its sign is that of body_servo_cf, as in the da Vinci Research
+  # Kit; what touches the tip presses on it with the opposite. It is not valid if the drives
+  # measure no effort, without power, and near a singularity. The stamp is that of the drives'
+  # cycle that measured the joints.
   spatialMeasuredCf @28 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
       $Meta.cxx("spatial_measured_cf") $Meta.kind("read");
-  # Is the same in the directions of the arm's base frame.
+  # Says what body_measured_cf says, in the directions of the arm's base frame.
   measuredCs @29 (sent :Rpc.Sent) -> (value :Cartesian.CartesianState, stamp :Int64)
       $Meta.cxx("measured_cs") $Meta.kind("read");
   # Gives pose, velocity and force of one cycle, in the reference frame.
   bodyJacobian @30 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian, stamp :Int64)
       $Meta.cxx("body_jacobian") $Meta.kind("read");
-  # Maps joint velocities to those of the tip, in its own directions. The stamp is that of the
-  # drives' cycle that measured the joints.
+  # Maps joint velocities to the velocity of the tip, in the tip's own directions. The stamp is
+  # that of the drives' cycle that measured the joints.
   spatialJacobian @31 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian, stamp :Int64)
       $Meta.cxx("spatial_jacobian") $Meta.kind("read");
-  # Is the same in the directions of the arm's base frame.
+  # Maps joint velocities to the velocity of the tip, in the directions of the arm's base frame.
   baseFrame @32 (sent :Rpc.Sent) -> (value :Pose.TransformStamped, stamp :Int64)
       $Meta.cxx("base_frame") $Meta.kind("read");
+  # Says where the arm's base is in the reference frame of this interface.
   setBaseFrame @33 (base :Pose.TransformStamped, sent :Rpc.Sent) -> () $Meta.cxx("set_base_frame")
       $Meta.kind("write") $Meta.queue(16);
-  # Sets the arm's base in the reference frame of this interface. It is refused if it is given in
-  # another frame, and while the arm moves or follows a stream.
+  # Sets where the arm's base is in the reference frame of this interface, for all clients. It is
+  # refused if `base` names another reference frame than the interface's, and while the arm moves
+  # or follows a stream.
   free @34 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Lets the set-point follow the joints until another command.
   useGravityCompensation @35 (use :Bool, sent :Rpc.Sent) -> ()
       $Meta.cxx("use_gravity_compensation") $Meta.kind("write") $Meta.queue(16);
-  # Is only noted: the event gravity_compensation reports it. It changes no motor, because
-  # compensation belongs to the drives.
+  # Only makes the event gravity_compensation report it. It changes no motor, because compensation
+  # belongs to the drives.
   servoJr @36 (step :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jr")
       $Meta.kind("write") $Meta.queue(16) $Meta.ttl(20000000);
+  # Steps the set-point by joint positions.
   servoJv @37 (goal :JointCommands.JointVelocityGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jv")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
+  # Streams joint velocities, newest wins: the set-point moves so fast, within the rate limits.
   servoJf @38 (goal :JointCommands.JointEffortGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jf")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
+  # Streams joint efforts, newest wins: the set-point yields to each as if only a damper held the
+  # joint (motion/stream_goals.cpp).
   servoCr @39 (step :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("servo_cr")
       $Meta.kind("write") $Meta.queue(16) $Meta.ttl(20000000);
   # Steps the set-point: the translation is in the reference frame, the rotation turns the tip
   # about itself.
   servoCv @40 (goal :Cartesian.TwistGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_cv")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
+  # Streams velocities of the tip, in the directions of the reference frame, newest wins.
   bodyServoCf @41 (goal :Cartesian.WrenchGoal, sent :Rpc.Sent) -> () $Meta.cxx("body_servo_cf")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
-  # Streams wrenches in the tip's own directions, newest wins.
+  # Streams wrenches in the tip's own directions, newest wins: the set-point yields to each as if
+  # only a damper held the tip.
   spatialServoCf @42 (goal :Cartesian.WrenchGoal, sent :Rpc.Sent) -> ()
       $Meta.cxx("spatial_servo_cf") $Meta.kind("write") $Meta.latest $Meta.queue(16)
       $Meta.ttl(20000000);
-  # Streams wrenches in the directions of the arm's base frame, newest wins.
+  # Streams wrenches as body_servo_cf does, in the directions of the arm's base frame.
   interpolateJp @43 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_jp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(200000000);
   # Streams goals that come more slowly than the arm's cycles, newest wins. The set-point goes to
@@ -191,37 +213,48 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # commands.
   interpolateJr @44 (step :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_jr")
       $Meta.kind("write") $Meta.queue(16) $Meta.ttl(200000000);
+  # Steps the goal of interpolate_jp by joint positions.
   interpolateCp @45 (goal :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_cp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(200000000);
+  # Streams Cartesian goals that come more slowly than the arm's cycles, as interpolate_jp does.
   interpolateCr @46 (step :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_cr")
       $Meta.kind("write") $Meta.queue(16) $Meta.ttl(200000000);
+  # Steps the goal of interpolate_cp as servo_cr steps the set-point.
   moveJr @47 (step :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("move_jr")
       $Meta.kind("write") $Meta.queue(16);
+  # Moves as move_jp does, by joint positions from the set-point.
   moveCp @48 (goal :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("move_cp")
       $Meta.kind("write") $Meta.queue(16);
+  # Moves the tip to a pose, by the motion of the joints that move_jp plans: the path is not
+  # straight in space. A goal that the joints cannot reach within their limits is refused.
   moveCr @49 (step :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("move_cr")
       $Meta.kind("write") $Meta.queue(16);
+  # Moves as move_cp does, by a step from the set-point that is given as servo_cr's.
   trajectoryJSetRatio @50 (ratio :Float64 $Meta.range(lowest = 0.01, highest = 1), sent :Rpc.Sent) -> ()
       $Meta.cxx("trajectory_j_set_ratio") $Meta.kind("write") $Meta.queue(16);
-  # Sets which share of what the joints can do moves use: of velocity and acceleration together.
+  # Sets the fraction of the joints' velocity and acceleration limits that moves use.
   trajectoryJSetRatioV @51 (ratio :Float64 $Meta.range(lowest = 0.01, highest = 1), sent :Rpc.Sent) -> ()
       $Meta.cxx("trajectory_j_set_ratio_v") $Meta.kind("write") $Meta.queue(16);
+  # Sets the fraction of the velocity limits alone.
   trajectoryJSetRatioA @52 (ratio :Float64 $Meta.range(lowest = 0.01, highest = 1), sent :Rpc.Sent) -> ()
       $Meta.cxx("trajectory_j_set_ratio_a") $Meta.kind("write") $Meta.queue(16);
+  # Sets the fraction of the acceleration limits alone.
   trajectoryJRatio @53 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
       $Meta.cxx("trajectory_j_ratio") $Meta.kind("read");
-  # Is the smaller of the two below.
+  # Says the smaller of trajectory_j_ratio_v and trajectory_j_ratio_a.
   trajectoryJRatioV @54 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
       $Meta.cxx("trajectory_j_ratio_v") $Meta.kind("read");
+  # Says what trajectory_j_set_ratio_v has set.
   trajectoryJRatioA @55 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
       $Meta.cxx("trajectory_j_ratio_a") $Meta.kind("read");
+  # Says what trajectory_j_set_ratio_a has set.
   queryCp @56 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
       $Meta.cxx("query_cp") $Meta.kind("qualifiedRead");
-  # Computes the pose of the link behind as many joints as the vector has, at most all; without
-  # any, that of the base.
+  # Computes the pose of link n for a vector of n joints, at most all of them; that of the base
+  # for an empty one.
   localQueryCp @57 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
       $Meta.cxx("local_query_cp") $Meta.kind("qualifiedRead");
-  # Computes the same in the arm's base frame.
+  # Computes what query_cp does, in the arm's base frame.
 }
 
 interface ArmEvents @0xdcbc184d8af1d03c $Meta.eventsOf("robots::Arm") {
@@ -233,7 +266,7 @@ interface ArmEvents @0xdcbc184d8af1d03c $Meta.eventsOf("robots::Arm") {
       $Meta.cxx("operating_state") $Meta.latched $Meta.queue(16);
   # Reports each change of the operating state, and the last one to a client that connects.
   goalReached @2 (value :Bool, stamp :Int64) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
-  # Reports the end of a move: true at its goal, false if something else replaced it.
+  # Reports the end of a move: true at its goal, false if anything else ended it.
   warning @3 (value :SuturestandardMessages.Message, stamp :Int64) -> () $Meta.latched
       $Meta.queue(16);
   # Reports that something was refused, or is not as it should be; the component goes on.
@@ -248,12 +281,16 @@ interface ArmEvents @0xdcbc184d8af1d03c $Meta.eventsOf("robots::Arm") {
   # Reports the state that a command asked for.
   gravityCompensation @7 (value :Bool, stamp :Int64) -> () $Meta.cxx("gravity_compensation")
       $Meta.latched $Meta.queue(16);
+  # Reports what use_gravity_compensation has set.
   trajectoryJRatio @8 (value :Float64, stamp :Int64) -> () $Meta.cxx("trajectory_j_ratio")
       $Meta.latched $Meta.queue(16);
+  # Reports a change of the fraction that trajectory_j_ratio says.
   trajectoryJRatioV @9 (value :Float64, stamp :Int64) -> () $Meta.cxx("trajectory_j_ratio_v")
       $Meta.latched $Meta.queue(16);
+  # Reports a change of the fraction of the velocity limits.
   trajectoryJRatioA @10 (value :Float64, stamp :Int64) -> () $Meta.cxx("trajectory_j_ratio_a")
       $Meta.latched $Meta.queue(16);
+  # Reports a change of the fraction of the acceleration limits.
 }
 
 struct ArmStateRow @0x8c45d754ae03e800 $Meta.stateOf("robots::Arm") {

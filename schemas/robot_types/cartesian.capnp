@@ -21,7 +21,7 @@ enum ServoMode @0xeed5266eb5c2e892 $Meta.cxx("robots::ServoMode") $Meta.underlyi
 }
 
 struct Twist @0xaa62fba3aef11562 $Meta.cxx("robots::Twist") {
-  # Is a velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.
+  # Is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's prmVelocityCartesianGet.
 
   linear @0 :Types.Vec3 $Meta.unit("m/s");
   angular @1 :Types.Vec3 $Meta.unit("rad/s");
@@ -33,7 +33,7 @@ struct Twist @0xaa62fba3aef11562 $Meta.cxx("robots::Twist") {
 }
 
 struct TwistGoal @0xb9f9a4ea2665be7e $Meta.cxx("robots::TwistGoal") {
-  # Is a velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
+  # Is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's prmVelocityCartesianSet.
 
   linear @0 :Types.Vec3 $Meta.unit("m/s");
   angular @1 :Types.Vec3 $Meta.unit("rad/s");
@@ -45,7 +45,8 @@ struct TwistGoal @0xb9f9a4ea2665be7e $Meta.cxx("robots::TwistGoal") {
 }
 
 struct Wrench @0xdefffdcf07aeb2d1 $Meta.cxx("robots::Wrench") {
-  # Is force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
+  # Is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to cisst's
+  # prmForceCartesianGet.
 
   force @0 :Types.Vec3 $Meta.unit("N");
   torque @1 :Types.Vec3 $Meta.unit("N.m");
@@ -59,7 +60,7 @@ struct Wrench @0xdefffdcf07aeb2d1 $Meta.cxx("robots::Wrench") {
 }
 
 struct WrenchGoal @0x913714b88c44b8c4 $Meta.cxx("robots::WrenchGoal") {
-  # Is force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
+  # Is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's prmForceCartesianSet.
 
   force @0 :Types.Vec3 $Meta.unit("N");
   torque @1 :Types.Vec3 $Meta.unit("N.m");
@@ -69,7 +70,8 @@ struct WrenchGoal @0x913714b88c44b8c4 $Meta.cxx("robots::WrenchGoal") {
 }
 
 struct CartesianState @0xe8c20fc8c27161a7 $Meta.cxx("robots::CartesianState") {
-  # Is pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
+  # Is pose, velocity and force of one instant, as CRTK's measured_cs says it. Corresponds to
+  # cisst's prmStateCartesian.
 
   movingFrame @0 :UInt32 $Meta.cxx("moving_frame");
   referenceFrame @1 :UInt32 $Meta.cxx("reference_frame");
@@ -85,7 +87,7 @@ struct CartesianState @0xe8c20fc8c27161a7 $Meta.cxx("robots::CartesianState") {
 }
 
 struct CartesianGoal @0xe4d650549dee47fd $Meta.cxx("robots::CartesianGoal") {
-  # Is a pose to reach, and how to get there: prmPositionCartesianSet.
+  # Is a pose to reach, and how to get there. Corresponds to cisst's prmPositionCartesianSet.
 
   goal @0 :Types.Pose $Meta.unit("m");
   linearVelocity @1 :Types.Vec3 $Meta.cxx("linear_velocity") $Meta.unit("m/s");
@@ -101,7 +103,8 @@ struct CartesianGoal @0xe4d650549dee47fd $Meta.cxx("robots::CartesianGoal") {
 }
 
 struct ServoCartesian @0x90f303a4951092d4 $Meta.cxx("robots::ServoCartesian") {
-  # Has position, velocity and effort in one servo command: prmServoCartesian.
+  # Has position, velocity and effort in one servo command. Corresponds to cisst's
+  # prmServoCartesian.
 
   taskFrame @0 :Types.Pose $Meta.cxx("task_frame") $Meta.unit("m");
   # Is the frame, in the base frame, whose axes are used below.
@@ -135,7 +138,8 @@ struct AngularHalfPlaneGains @0xb5891631aa394628 $Meta.cxx("robots::AngularHalfP
 }
 
 struct CartesianImpedance @0xa1baf72e8978a5b3 $Meta.cxx("robots::CartesianImpedance") {
-  # Is a spring that holds the tool tip, per axis and side: prmCartesianImpedance.
+  # Is a spring that holds the tool tip, per axis and side. Corresponds to cisst's
+  # prmCartesianImpedance.
 
   forceOrientation @0 :Types.Mat3 $Meta.cxx("force_orientation");
   # Holds the axes along which the forces act.

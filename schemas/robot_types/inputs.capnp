@@ -16,7 +16,7 @@ enum ButtonAction @0xd67d13156a146d91 $Meta.cxx("robots::ButtonAction") $Meta.un
 }
 
 struct ButtonEvent @0xad2a4c465d551e77 $Meta.cxx("robots::ButtonEvent") {
-  # prmEventButton.
+  # Corresponds to cisst's prmEventButton.
 
   type @0 :ButtonAction;
   stamp @1 :Int64 $Meta.clock("steady");
@@ -24,7 +24,7 @@ struct ButtonEvent @0xad2a4c465d551e77 $Meta.cxx("robots::ButtonEvent") {
 }
 
 struct InputData @0x9f9e25cc2e3ab297 $Meta.cxx("robots::InputData") {
-  # prmInputData.
+  # Corresponds to cisst's prmInputData.
 
   analogInputs @0 :List(Float64) $Meta.capacity([32]) $Meta.cxx("analog_inputs");
   digitalInputs @1 :List(Bool) $Meta.capacity([64]) $Meta.cxx("digital_inputs");
@@ -33,7 +33,7 @@ struct InputData @0x9f9e25cc2e3ab297 $Meta.cxx("robots::InputData") {
 }
 
 struct ImuSample @0xa3de4c37695d33c2 $Meta.cxx("robots::ImuSample") {
-  # prmIMUSensors.
+  # Corresponds to cisst's prmIMUSensors.
 
   orientation @0 :Types.Quat;
   angularVelocity @1 :Types.Vec3 $Meta.cxx("angular_velocity") $Meta.unit("rad/s");

@@ -16,7 +16,7 @@ enum JointType @0x9f3bef15df1181c0 $Meta.cxx("robots::JointType") $Meta.underlyi
 }
 
 struct JointPosition @0x8d40d571bf8db891 $Meta.cxx("robots::JointPosition") {
-  # prmPositionJointGet.
+  # Corresponds to cisst's prmPositionJointGet.
 
   position @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
   stamps @1 :List(Int64) $Meta.capacity([8]) $Meta.clock("steady");
@@ -26,7 +26,7 @@ struct JointPosition @0x8d40d571bf8db891 $Meta.cxx("robots::JointPosition") {
 }
 
 struct JointPositionGoal @0xcc0da9976c58b05d $Meta.cxx("robots::JointPositionGoal") {
-  # prmPositionJointSet.
+  # Corresponds to cisst's prmPositionJointSet.
 
   goal @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
   velocity @1 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s");
@@ -41,7 +41,7 @@ struct JointPositionGoal @0xcc0da9976c58b05d $Meta.cxx("robots::JointPositionGoa
 }
 
 struct JointVelocity @0xeb6eb36387c53fe2 $Meta.cxx("robots::JointVelocity") {
-  # prmVelocityJointGet.
+  # Corresponds to cisst's prmVelocityJointGet.
 
   velocity @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s");
   stamp @1 :Int64 $Meta.clock("steady");
@@ -49,7 +49,7 @@ struct JointVelocity @0xeb6eb36387c53fe2 $Meta.cxx("robots::JointVelocity") {
 }
 
 struct JointVelocityGoal @0xf166e3d075579061 $Meta.cxx("robots::JointVelocityGoal") {
-  # CRTK's servo_jv: prmVelocityJointSet.
+  # Is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.
 
   goal @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s");
   acceleration @1 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s2");
@@ -64,7 +64,7 @@ struct JointVelocityGoal @0xf166e3d075579061 $Meta.cxx("robots::JointVelocityGoa
 }
 
 struct JointEffortGoal @0xd704fc0995280ce6 $Meta.cxx("robots::JointEffortGoal") {
-  # CRTK's servo_jf: prmForceTorqueJointSet.
+  # Is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.
 
   effort @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("N.m");
   mask @1 :List(Bool) $Meta.capacity([8]);
@@ -73,7 +73,8 @@ struct JointEffortGoal @0xd704fc0995280ce6 $Meta.cxx("robots::JointEffortGoal") 
 }
 
 struct JointConfiguration @0xf723b5ed0dc2d63c $Meta.cxx("robots::JointConfiguration") {
-  # Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.
+  # Says what the joints are and what they may do, for CRTK's configuration_js. Corresponds to
+  # cisst's prmConfigurationJoint.
 
   name @0 :List(Text) $Meta.capacity([8, 15]);
   type @1 :List(JointType) $Meta.capacity([8]);
@@ -91,7 +92,7 @@ struct JointConfiguration @0xf723b5ed0dc2d63c $Meta.cxx("robots::JointConfigurat
 }
 
 struct ServoJoint @0xf49c2efeb3512c06 $Meta.cxx("robots::ServoJoint") {
-  # Has position, velocity and effort in one servo command: prmServoJoint.
+  # Has position, velocity and effort in one servo command; corresponds to cisst's prmServoJoint.
 
   name @0 :List(Text) $Meta.capacity([8, 15]);
   mode @1 :List(UInt16) $Meta.capacity([8]);
@@ -105,8 +106,8 @@ struct ServoJoint @0xf49c2efeb3512c06 $Meta.cxx("robots::ServoJoint") {
 }
 
 struct ActuatorJointCoupling @0xc217034d474a2284 $Meta.cxx("robots::ActuatorJointCoupling") {
-  # Turns actuators into joints and back, joints x actuators, row-major:
-  # prmActuatorJointCoupling.
+  # Turns actuators into joints and back, joints x actuators, row-major.
+  # Corresponds to cisst's prmActuatorJointCoupling.
 
   joints @0 :UInt32;
   actuators @1 :UInt32;

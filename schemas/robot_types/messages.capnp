@@ -19,7 +19,7 @@ struct IntervalStatistics @0xff815195ac6343a7 $Meta.cxx("robots::IntervalStatist
 }
 
 struct KeyValue @0xf3874f7cf68c260c $Meta.cxx("robots::KeyValue") {
-  # prmKeyValue.
+  # Corresponds to cisst's prmKeyValue.
 
   key @0 :Text $Meta.capacity([31]);
   value @1 :Text $Meta.capacity([127]);

@@ -8,7 +8,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("robot_types/vision.h");
 
 struct PoseArray @0x82e359ec39f34eeb $Meta.cxx("robots::PoseArray") {
-  # Has the poses of several tools at once: prmPositionCartesianArrayGet.
+  # Has the poses of several tools at once. Corresponds to cisst's prmPositionCartesianArrayGet.
 
   referenceFrame @0 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
   movingFrames @1 :List(Text) $Meta.capacity([16, 15]) $Meta.cxx("moving_frames");
@@ -19,7 +19,7 @@ struct PoseArray @0x82e359ec39f34eeb $Meta.cxx("robots::PoseArray") {
 }
 
 struct ImageFrame @0xbc8f68d82913b3fb $Meta.cxx("robots::ImageFrame") {
-  # prmImageFrame.
+  # Corresponds to cisst's prmImageFrame.
 
   width @0 :UInt32;
   height @1 :UInt32;
@@ -31,7 +31,7 @@ struct ImageFrame @0xbc8f68d82913b3fb $Meta.cxx("robots::ImageFrame") {
 }
 
 struct CameraInfo @0x9e06e5f90a5909e5 $Meta.cxx("robots::CameraInfo") {
-  # prmCameraInfo: a pinhole with its distortion.
+  # Is a pinhole camera with its distortion. Corresponds to cisst's prmCameraInfo.
 
   width @0 :UInt32;
   height @1 :UInt32;
@@ -46,7 +46,7 @@ struct CameraInfo @0x9e06e5f90a5909e5 $Meta.cxx("robots::CameraInfo") {
 }
 
 struct DepthMap @0xc2fcffc3788a4bec $Meta.cxx("robots::DepthMap") {
-  # Is a cloud of coloured points: prmDepthMap.
+  # Is a cloud of coloured points. Corresponds to cisst's prmDepthMap.
 
   referenceFrame @0 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
   width @1 :UInt32;
