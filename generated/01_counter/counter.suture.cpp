@@ -31,7 +31,7 @@ constexpr suture::CommandInfo kCounterCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::int64_t>,
      .depth = 16,
-     .column = static_cast<int>(CounterColumn::value)},
+     .column = CounterColumn::value},
 };
 
 constexpr suture::EventInfo kCounterEvents[] = {
@@ -99,7 +99,7 @@ struct Provided<counting::Counter>::Dispatch {
 Errc Provided<counting::Counter>::execute(std::uint16_t command, const std::byte* arguments,
                                           std::byte* result) {
   using ::counting::CounterCommand;
-  switch (static_cast<CounterCommand>(command)) {
+  switch (command) {
     case CounterCommand::add: return Dispatch::execute_add(implementation_, scratch_, arguments);
     case CounterCommand::value: return Dispatch::execute_value(implementation_, result);
   }

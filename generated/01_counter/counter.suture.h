@@ -1,4 +1,7 @@
 // Written by suturec from 01_counter/counter.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. counter.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -19,20 +22,26 @@ struct CounterAddArguments {
 
 bool store(const std::int32_t& amount, CounterAddArguments& slot);
 
-/// Names the numbers of Counter's commands in every table and record.
-enum class CounterCommand : std::uint16_t {
-  add,
-  value,
+/// Numbers the commands of Counter.
+struct CounterCommand {
+  enum : std::uint16_t {
+    add,
+    value,
+  };
 };
 
-/// Names the numbers of Counter's events.
-enum class CounterEvent : std::uint16_t {
-  ten_more,
+/// Numbers the events of Counter.
+struct CounterEvent {
+  enum : std::uint16_t {
+    ten_more,
+  };
 };
 
-/// Names where a row of the state has each read of Counter.
-enum class CounterColumn : std::uint16_t {
-  value,
+/// Numbers the reads of Counter as a row of the state has them.
+struct CounterColumn {
+  enum : std::uint16_t {
+    value,
+  };
 };
 
 }  // namespace counting
@@ -54,17 +63,19 @@ class Required<counting::Counter> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Adds to the count, in the provider's thread.
-  Command<&Contract::add, counting::CounterAddArguments> add{
-      *this, static_cast<std::uint16_t>(Id::add)};
+  /// Write: up to 8 wait.
+  Command<&Contract::add, counting::CounterAddArguments> add{*this, Id::add};
   /// Returns the newest count; never waits for anyone.
-  ReadCommand<&Contract::value, std::int64_t> value{*this, static_cast<std::uint16_t>(Id::value)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::value, std::int64_t> value{*this, Id::value};
 
   /// Subscribes to the events of counting::Counter.
   struct Events {
     explicit Events(RequiredBase& required)
-        : ten_more{required, static_cast<std::uint16_t>(EventId::ten_more)} {}
+        : ten_more{required, EventId::ten_more} {}
 
     /// Reports that the count has passed a multiple of ten.
+    /// At a subscriber up to 16 wait.
     Subscription<std::int64_t, std::int64_t> ten_more;
   };
   Events& on() { return events_; }
@@ -91,7 +102,7 @@ class Provided<counting::Counter> : public ProvidedBase {
   /// Emits the events of counting::Counter.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : ten_more{provided, static_cast<std::uint16_t>(EventId::ten_more)} {}
+        : ten_more{provided, EventId::ten_more} {}
 
     /// Reports that the count has passed a multiple of ten.
     Emitter<std::int64_t, std::int64_t> ten_more;

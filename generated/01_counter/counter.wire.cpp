@@ -54,14 +54,14 @@ suture::Errc decodeCounterValueColumn(wire::CounterStateRow::Reader in, std::int
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeCounterColumn(unsigned column, const std::byte* memory,
                          wire::CounterStateRow::Builder out) {
-  switch (static_cast<CounterColumn>(column)) {
+  switch (column) {
     case CounterColumn::value:
       return encodeCounterValueColumn(suture::slotIn<std::int64_t>(memory), out);
   }
 }
 suture::Errc decodeCounterColumn(wire::CounterStateRow::Reader in, unsigned column,
                                  std::byte* memory, suture::Duration shift) {
-  switch (static_cast<CounterColumn>(column)) {
+  switch (column) {
     case CounterColumn::value:
       return decodeCounterValueColumn(in, suture::newSlot<std::int64_t>(memory), shift);
   }

@@ -23,7 +23,7 @@ constexpr suture::CommandInfo kTrackerCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<ObservationSlot>,
      .depth = 16,
-     .column = static_cast<int>(TrackerColumn::observation),
+     .column = TrackerColumn::observation,
      .acceptsResult = suture::checkSlot<ObservationSlot, isValid>},
 };
 
@@ -97,7 +97,7 @@ struct Provided<tracking::Tracker>::Dispatch {
 Errc Provided<tracking::Tracker>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                           std::byte* result) {
   using ::tracking::TrackerCommand;
-  switch (static_cast<TrackerCommand>(command)) {
+  switch (command) {
     case TrackerCommand::observation: return Dispatch::execute_observation(implementation_, result);
   }
   return Errc::Invalid;

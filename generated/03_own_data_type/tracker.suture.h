@@ -1,4 +1,7 @@
 // Written by suturec from 03_own_data_type/tracker.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. tracker.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -12,14 +15,18 @@
 
 namespace tracking {
 
-/// Names the numbers of Tracker's commands in every table and record.
-enum class TrackerCommand : std::uint16_t {
-  observation,
+/// Numbers the commands of Tracker.
+struct TrackerCommand {
+  enum : std::uint16_t {
+    observation,
+  };
 };
 
-/// Names where a row of the state has each read of Tracker.
-enum class TrackerColumn : std::uint16_t {
-  observation,
+/// Numbers the reads of Tracker as a row of the state has them.
+struct TrackerColumn {
+  enum : std::uint16_t {
+    observation,
+  };
 };
 
 }  // namespace tracking
@@ -40,8 +47,9 @@ class Required<tracking::Tracker> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Returns the newest observation; never waits for anyone.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::observation, tracking::ObservationSlot> observation{
-      *this, static_cast<std::uint16_t>(Id::observation)};
+      *this, Id::observation};
 
  protected:
   // For contracts that derive from this one.

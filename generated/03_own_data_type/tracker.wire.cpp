@@ -41,14 +41,14 @@ suture::Errc decodeTrackerObservationColumn(wire::TrackerStateRow::Reader in, Ob
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeTrackerColumn(unsigned column, const std::byte* memory,
                          wire::TrackerStateRow::Builder out) {
-  switch (static_cast<TrackerColumn>(column)) {
+  switch (column) {
     case TrackerColumn::observation:
       return encodeTrackerObservationColumn(suture::slotIn<ObservationSlot>(memory), out);
   }
 }
 suture::Errc decodeTrackerColumn(wire::TrackerStateRow::Reader in, unsigned column,
                                  std::byte* memory, suture::Duration shift) {
-  switch (static_cast<TrackerColumn>(column)) {
+  switch (column) {
     case TrackerColumn::observation:
       return decodeTrackerObservationColumn(in, suture::newSlot<ObservationSlot>(memory), shift);
   }

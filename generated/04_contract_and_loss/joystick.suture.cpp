@@ -25,7 +25,7 @@ constexpr suture::CommandInfo kJoystickCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .column = static_cast<int>(JoystickColumn::angle),
+     .column = JoystickColumn::angle,
      .acceptsResult = suture::checkSlot<double, acceptsJoystickAngleResult>},
 };
 
@@ -75,7 +75,7 @@ struct Provided<following::Joystick>::Dispatch {
 Errc Provided<following::Joystick>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                             std::byte* result) {
   using ::following::JoystickCommand;
-  switch (static_cast<JoystickCommand>(command)) {
+  switch (command) {
     case JoystickCommand::angle: return Dispatch::execute_angle(implementation_, result);
   }
   return Errc::Invalid;

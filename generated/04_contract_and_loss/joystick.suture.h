@@ -1,4 +1,7 @@
 // Written by suturec from 04_contract_and_loss/joystick.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. joystick.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -11,14 +14,18 @@
 
 namespace following {
 
-/// Names the numbers of Joystick's commands in every table and record.
-enum class JoystickCommand : std::uint16_t {
-  angle,
+/// Numbers the commands of Joystick.
+struct JoystickCommand {
+  enum : std::uint16_t {
+    angle,
+  };
 };
 
-/// Names where a row of the state has each read of Joystick.
-enum class JoystickColumn : std::uint16_t {
-  angle,
+/// Numbers the reads of Joystick as a row of the state has them.
+struct JoystickColumn {
+  enum : std::uint16_t {
+    angle,
+  };
 };
 
 }  // namespace following
@@ -39,7 +46,8 @@ class Required<following::Joystick> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Says how far the stick is turned.
-  ReadCommand<&Contract::angle, double> angle{*this, static_cast<std::uint16_t>(Id::angle)};
+  /// Read: answered at once with what the last cycle left. The answer is in rad.
+  ReadCommand<&Contract::angle, double> angle{*this, Id::angle};
 
  protected:
   // For contracts that derive from this one.

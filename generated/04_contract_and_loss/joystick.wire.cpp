@@ -35,14 +35,14 @@ suture::Errc decodeJoystickAngleColumn(wire::JoystickStateRow::Reader in, double
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeJoystickColumn(unsigned column, const std::byte* memory,
                           wire::JoystickStateRow::Builder out) {
-  switch (static_cast<JoystickColumn>(column)) {
+  switch (column) {
     case JoystickColumn::angle:
       return encodeJoystickAngleColumn(suture::slotIn<double>(memory), out);
   }
 }
 suture::Errc decodeJoystickColumn(wire::JoystickStateRow::Reader in, unsigned column,
                                   std::byte* memory, suture::Duration shift) {
-  switch (static_cast<JoystickColumn>(column)) {
+  switch (column) {
     case JoystickColumn::angle:
       return decodeJoystickAngleColumn(in, suture::newSlot<double>(memory), shift);
   }

@@ -131,7 +131,7 @@ struct Provided<gripping::Gripper>::Dispatch {
 Errc Provided<gripping::Gripper>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                           std::byte* result) {
   using ::gripping::GripperCommand;
-  switch (static_cast<GripperCommand>(command)) {
+  switch (command) {
     case GripperCommand::grasp: return Dispatch::execute_grasp(implementation_);
     case GripperCommand::release: return Dispatch::execute_release(implementation_, result);
   }

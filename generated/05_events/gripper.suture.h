@@ -1,4 +1,7 @@
 // Written by suturec from 05_events/gripper.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. gripper.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -13,16 +16,20 @@ namespace gripping {
 
 bool isKnownJaws(std::uint8_t slot);
 
-/// Names the numbers of Gripper's commands in every table and record.
-enum class GripperCommand : std::uint16_t {
-  grasp,
-  release,
+/// Numbers the commands of Gripper.
+struct GripperCommand {
+  enum : std::uint16_t {
+    grasp,
+    release,
+  };
 };
 
-/// Names the numbers of Gripper's events.
-enum class GripperEvent : std::uint16_t {
-  jaws_changed,
-  touched,
+/// Numbers the events of Gripper.
+struct GripperEvent {
+  enum : std::uint16_t {
+    jaws_changed,
+    touched,
+  };
 };
 
 }  // namespace gripping
@@ -44,20 +51,23 @@ class Required<gripping::Gripper> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Begins to close the jaws.
-  Command<&Contract::grasp, NoSlot> grasp{*this, static_cast<std::uint16_t>(Id::grasp)};
+  /// Void: up to 16 wait.
+  Command<&Contract::grasp, NoSlot> grasp{*this, Id::grasp};
   /// Opens the jaws. Returns true if they held something.
-  ReturningCommand<&Contract::release, NoSlot, std::uint8_t> release{
-      *this, static_cast<std::uint16_t>(Id::release)};
+  /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
+  ReturningCommand<&Contract::release, NoSlot, std::uint8_t> release{*this, Id::release};
 
   /// Subscribes to the events of gripping::Gripper.
   struct Events {
     explicit Events(RequiredBase& required)
-        : jaws_changed{required, static_cast<std::uint16_t>(EventId::jaws_changed)},
-          touched{required, static_cast<std::uint16_t>(EventId::touched)} {}
+        : jaws_changed{required, EventId::jaws_changed},
+          touched{required, EventId::touched} {}
 
     /// Reports a state: a client that subscribes late receives the last one at once.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, gripping::Jaws> jaws_changed;
     /// Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+    /// At a subscriber up to 16 wait.
     Subscription<double, double> touched;
   };
   Events& on() { return events_; }
@@ -84,8 +94,8 @@ class Provided<gripping::Gripper> : public ProvidedBase {
   /// Emits the events of gripping::Gripper.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : jaws_changed{provided, static_cast<std::uint16_t>(EventId::jaws_changed)},
-          touched{provided, static_cast<std::uint16_t>(EventId::touched)} {}
+        : jaws_changed{provided, EventId::jaws_changed},
+          touched{provided, EventId::touched} {}
 
     /// Reports a state: a client that subscribes late receives the last one at once.
     Emitter<std::uint8_t, gripping::Jaws> jaws_changed;

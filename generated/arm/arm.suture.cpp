@@ -361,35 +361,35 @@ constexpr suture::CommandInfo kArmCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::measured_js),
+     .column = ArmColumn::measured_js,
      .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
      .shiftResult = suture::shiftSlot<JointStateSlot>},
     {.name = "setpoint_js",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::setpoint_js),
+     .column = ArmColumn::setpoint_js,
      .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
      .shiftResult = suture::shiftSlot<JointStateSlot>},
     {.name = "measured_cp",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::measured_cp),
+     .column = ArmColumn::measured_cp,
      .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "setpoint_cp",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::setpoint_cp),
+     .column = ArmColumn::setpoint_cp,
      .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "operating_state",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<OperatingStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::operating_state),
+     .column = ArmColumn::operating_state,
      .acceptsResult = suture::checkSlot<OperatingStateSlot, isValid>,
      .shiftResult = suture::shiftSlot<OperatingStateSlot>},
     {.name = "forward_kinematics",
@@ -413,13 +413,13 @@ constexpr suture::CommandInfo kArmCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JointConfigurationSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::configuration_js),
+     .column = ArmColumn::configuration_js,
      .acceptsResult = suture::checkSlot<JointConfigurationSlot, isValid>},
     {.name = "period_statistics",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<IntervalStatisticsSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::period_statistics),
+     .column = ArmColumn::period_statistics,
      .acceptsResult = suture::checkSlot<IntervalStatisticsSlot, isValid>,
      .shiftResult = suture::shiftSlot<IntervalStatisticsSlot>},
     {.name = "pause", .kind = suture::CommandKind::Void, .depth = 16},
@@ -433,70 +433,70 @@ constexpr suture::CommandInfo kArmCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::goal_js),
+     .column = ArmColumn::goal_js,
      .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
      .shiftResult = suture::shiftSlot<JointStateSlot>},
     {.name = "goal_cp",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::goal_cp),
+     .column = ArmColumn::goal_cp,
      .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "local_measured_cp",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::local_measured_cp),
+     .column = ArmColumn::local_measured_cp,
      .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "local_setpoint_cp",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::local_setpoint_cp),
+     .column = ArmColumn::local_setpoint_cp,
      .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "measured_cv",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<TwistSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::measured_cv),
+     .column = ArmColumn::measured_cv,
      .acceptsResult = suture::checkSlot<TwistSlot, isValid>,
      .shiftResult = suture::shiftSlot<TwistSlot>},
     {.name = "setpoint_cv",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<TwistSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::setpoint_cv),
+     .column = ArmColumn::setpoint_cv,
      .acceptsResult = suture::checkSlot<TwistSlot, isValid>,
      .shiftResult = suture::shiftSlot<TwistSlot>},
     {.name = "body_measured_cf",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<WrenchSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::body_measured_cf),
+     .column = ArmColumn::body_measured_cf,
      .acceptsResult = suture::checkSlot<WrenchSlot, isValid>,
      .shiftResult = suture::shiftSlot<WrenchSlot>},
     {.name = "spatial_measured_cf",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<WrenchSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::spatial_measured_cf),
+     .column = ArmColumn::spatial_measured_cf,
      .acceptsResult = suture::checkSlot<WrenchSlot, isValid>,
      .shiftResult = suture::shiftSlot<WrenchSlot>},
     {.name = "measured_cs",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<CartesianStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::measured_cs),
+     .column = ArmColumn::measured_cs,
      .acceptsResult = suture::checkSlot<CartesianStateSlot, isValid>,
      .shiftResult = suture::shiftSlot<CartesianStateSlot>},
     {.name = "body_jacobian",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JacobianSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::body_jacobian),
+     .column = ArmColumn::body_jacobian,
      .acceptsResult = suture::checkSlot<JacobianSlot, isValid>,
      .shiftResult = suture::shiftSlot<JacobianSlot>,
      .resultLevels = kArmBodyJacobianResultLevels},
@@ -504,7 +504,7 @@ constexpr suture::CommandInfo kArmCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JacobianSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::spatial_jacobian),
+     .column = ArmColumn::spatial_jacobian,
      .acceptsResult = suture::checkSlot<JacobianSlot, isValid>,
      .shiftResult = suture::shiftSlot<JacobianSlot>,
      .resultLevels = kArmSpatialJacobianResultLevels},
@@ -512,7 +512,7 @@ constexpr suture::CommandInfo kArmCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<TransformStampedSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::base_frame),
+     .column = ArmColumn::base_frame,
      .acceptsResult = suture::checkSlot<TransformStampedSlot, isValid>,
      .shiftResult = suture::shiftSlot<TransformStampedSlot>},
     {.name = "set_base_frame",
@@ -647,19 +647,19 @@ constexpr suture::CommandInfo kArmCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::trajectory_j_ratio),
+     .column = ArmColumn::trajectory_j_ratio,
      .acceptsResult = suture::checkSlot<double, acceptsArmTrajectoryJRatioResult>},
     {.name = "trajectory_j_ratio_v",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::trajectory_j_ratio_v),
+     .column = ArmColumn::trajectory_j_ratio_v,
      .acceptsResult = suture::checkSlot<double, acceptsArmTrajectoryJRatioVResult>},
     {.name = "trajectory_j_ratio_a",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::trajectory_j_ratio_a),
+     .column = ArmColumn::trajectory_j_ratio_a,
      .acceptsResult = suture::checkSlot<double, acceptsArmTrajectoryJRatioAResult>},
     {.name = "query_cp",
      .kind = suture::CommandKind::QualifiedRead,
@@ -718,18 +718,18 @@ constexpr suture::EventInfo kArmEvents[] = {
 // The self-description, as in arm/arm.suture.json.
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm",
-"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. An arm starts, and restarts, undefined. Once it hears of its drives, and they may have\npower, it is disabled and not homed. Until it is enabled it ignores motion commands.\n\nAn arm that is not homed, or not any more after an encoder jumped or unhome(), does not know\nwhere its tip is. It refuses Cartesian motion, servo, interpolation and moves, and obeys joint\ncommands.\n\nAn arm that works through a cannula does the same until its wrist is far enough beyond the\nremote centre: a da Vinci's must be 45 mm beyond it, and 2 mm more to begin. Joint commands and\nhoming insert it.\n\n`local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of\nthe interface, in which base_frame() is the arm's base; the two are the same until a client sets\nanother. A motion command replaces the one before it, of either space; relative goals are\nrelative to the set-point. A servo stream that falls silent for 0.1 s ends as with hold(), and\nso does any stream whose client is gone.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h) if the arm refuses a command or something has happened to it. Each reason is\nreported once until the arm obeys again, a refused state command each time.",
+"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. How a client calls and subscribes is in docs/howto/calling.md. Where a joint is prismatic,\nits units are m, m/s, m/s2 and N in place of rad, rad/s, rad/s2 and N.m.\n\nStates are those of CRTK. An arm starts, and restarts, in Undefined. When its drives answer and\npower is permitted it becomes Disabled, and is not homed. Motion commands need state Enabled; in\nany other the arm refuses them. It enters Fault by itself, and leaves it by enable() or\ndisable().\n\nAn arm that is not homed, or not any more after an encoder jumped or unhome(), does not know\nwhere its tip is: it refuses all Cartesian motion commands (`servo_c*`, `*_servo_cf`,\n`interpolate_c*`, `move_c*`), and obeys those of joints.\n\nAn arm that works through a cannula also refuses Cartesian motion until its wrist is far enough\nbeyond the remote centre: for a da Vinci it must be 45 mm beyond; once it was less, 47 mm.\nhome() and joint commands move the wrist through the cannula.\n\n`local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of\nthe interface, in which base_frame() is the arm's base. The two frames are the same until some\nclient calls set_base_frame(), which counts for all clients.\n\nMotion does not queue: each motion command replaces the one before it, of joints or of the tip,\nand relative goals are relative to the set-point. A servo stream that falls silent for 0.1 s\nends as with hold(), and so does any stream whose client is gone.\n\nThe arm reports each refusal, and what happens to it, by the events warning and error, whose\n`code` is an ArmWarning (arm_warning.h). A refused motion command is reported once until the arm\nobeys again; a refused state command is reported each time.",
 "hash": "1f5d06412eacd0fd4ccda12e8a351a33", "version": 2, "major": 2, "base": "suture::Messages",
 "crtk": true, "commands": [{"name": "enable", "kind": "void", "ordinal": 1,
 "doc": "Gives the drives power. The arm holds its position.", "queue": 16}, {"name": "disable",
 "kind": "void", "ordinal": 2,
-"doc": "Stops the arm at once, without power. It ignores motion until it is enabled again.",
+"doc": "Stops the arm at once and takes its power. It refuses motion until it is enabled again.",
 "queue": 16}, {"name": "home", "kind": "void", "ordinal": 3,
 "doc": "Moves the arm to its home position, if it is enabled. The move ends with goal_reached.",
 "queue": 16}, {"name": "hold", "kind": "void", "ordinal": 4,
 "doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {
 "name": "servo_cp", "kind": "write", "ordinal": 5, "wire": "servoCp",
-"doc": "Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along it, at the\nnearest point that the limits admit. A goal that is out of reach, or too far for one step,\nleaves the set-point. The arm reports both. setpoint_cp keeps the goal's stamp.",
+"doc": "Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along it, at the\nnearest point that the limits admit, and warns of AtLimit. A goal that is out of reach, or\nfarther from the set-point than the rate limits admit, is dropped with a warning, OutOfReach\nor StepTooFar, and the set-point stays where it was. setpoint_cp keeps the goal's stamp.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jp", "kind": "write", "ordinal": 6,
 "wire": "servoJp",
@@ -737,23 +737,24 @@ constexpr char kArmDescription[] = R"json(
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "ordinal": 7,
 "wire": "moveJp",
-"doc": "Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:\none may begin while it moves. Each ends at rest and with goal_reached.",
+"doc": "Plans and executes a smooth motion of the joints from the set-point, and from the velocity\nthat it has: a move may replace another under way. It ends at rest and with goal_reached. A\ngoal beyond a joint limit is refused.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16}, {"name": "measured_js", "kind": "read", "ordinal": 8, "wire": "measuredJs",
-"doc": "Says where the joints are, and what their motors give; that list is empty if the drives do not\nmeasure it. The stamp is that of the drives' cycle that measured them.",
+"doc": "Says where the joints are, and what their motors give; `effort` is empty if the drives do not\nmeasure it. The stamp is that of the drives' cycle that measured them.",
 "result": {"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {
 "name": "setpoint_js", "kind": "read", "ordinal": 9, "wire": "setpointJs",
-"doc": "Says where the joints shall be.", "result": {"type": {"kind": "struct",
-"name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp", "kind": "read", "ordinal": 10,
-"wire": "measuredCp",
+"doc": "Says where the joints are commanded to be in this cycle.", "result": {"type": {
+"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp",
+"kind": "read", "ordinal": 10, "wire": "measuredCp",
 "doc": "Says where the tool tip is. The stamp is that of the drives' cycle that measured the joints.",
 "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
 "name": "setpoint_cp", "kind": "read", "ordinal": 11, "wire": "setpointCp",
-"doc": "Says where the tool tip shall be. The stamp is that of the servo_cp or interpolate_cp goal\nfrom which it came, else that of the arm's cycle.",
+"doc": "Says where the tool tip is commanded to be in this cycle. The stamp is that of the servo_cp or\ninterpolate_cp goal from which it came, else that of the arm's cycle.",
 "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
-"name": "operating_state", "kind": "read", "ordinal": 12, "wire": "operatingState", "result": {
-"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {
-"name": "forward_kinematics", "kind": "qualified read", "ordinal": 13, "wire": "forwardKinematics",
+"name": "operating_state", "kind": "read", "ordinal": 12, "wire": "operatingState",
+"doc": "Says in which state of CRTK the arm is, and whether it is homed.", "result": {"type": {
+"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {"name": "forward_kinematics",
+"kind": "qualified read", "ordinal": 13, "wire": "forwardKinematics",
 "doc": "Computes the tool tip for a joint vector; it is not valid if the vector has the wrong length.",
 "parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
 "type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
@@ -762,115 +763,135 @@ constexpr char kArmDescription[] = R"json(
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
 "result": {"type": {"kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}, {
 "name": "configuration_js", "kind": "read", "ordinal": 15, "wire": "configurationJs",
-"doc": "Says what the joints are and what they may do. Velocities are their rate limits, accelerations\nthose of moves. Efforts are the most that the motors give; for a da Vinci they are published\n(dynamics/davinci_inertia.cpp: ftmax), accelerations are not. If nothing is bounded the lists\nare empty.",
+"doc": "Says what the joints are and what they may do. Velocities are their rate limits, accelerations\nthose of moves, efforts the most that the motors give. For a da Vinci the efforts are from the\nliterature, the accelerations our own. A list is empty if it bounds no joint.",
 "result": {"type": {"kind": "struct", "name": "robots::JointConfiguration"}}, "queue": 16}, {
 "name": "period_statistics", "kind": "read", "ordinal": 16, "wire": "periodStatistics",
 "doc": "Says how regularly the arm's task ran in the last second.", "result": {"type": {
 "kind": "struct", "name": "robots::IntervalStatistics"}}, "queue": 16}, {"name": "pause",
 "kind": "void", "ordinal": 17,
-"doc": "Stops the arm where the joints are. It ignores motion until resume().", "queue": 16}, {
-"name": "resume", "kind": "void", "ordinal": 18, "queue": 16}, {"name": "unhome", "kind": "void",
-"ordinal": 19, "doc": "Makes the arm forget that it is homed.", "queue": 16}, {
+"doc": "Stops the arm where the joints are. It refuses motion until resume().", "queue": 16}, {
+"name": "resume", "kind": "void", "ordinal": 18,
+"doc": "Ends a pause: the arm is enabled and holds.", "queue": 16}, {"name": "unhome",
+"kind": "void", "ordinal": 19, "doc": "Makes the arm forget that it is homed.", "queue": 16}, {
 "name": "state_command", "kind": "write", "ordinal": 20, "wire": "stateCommand",
-"doc": "Does one of the six above, by its name; any other name is an `error`.", "parameters": [{
-"name": "name", "type": {"kind": "text", "capacity": 15}}], "queue": 16}, {"name": "goal_js",
-"kind": "read", "ordinal": 21, "wire": "goalJs",
+"doc": "Does what its name says: \"enable\", \"disable\", \"pause\", \"resume\", \"home\" or \"unhome\". Any other\nname is reported as an error.",
+"parameters": [{"name": "name", "type": {"kind": "text", "capacity": 15}}], "queue": 16}, {
+"name": "goal_js", "kind": "read", "ordinal": 21, "wire": "goalJs",
 "doc": "Says where the present move ends; without one, it is the set-point.", "result": {"type": {
 "kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "goal_cp", "kind": "read",
 "ordinal": 22, "wire": "goalCp",
 "doc": "Says where the present move ends; without one, it is the set-point.", "result": {"type": {
 "kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "local_measured_cp",
-"kind": "read", "ordinal": 23, "wire": "localMeasuredCp", "result": {"type": {"kind": "struct",
+"kind": "read", "ordinal": 23, "wire": "localMeasuredCp",
+"doc": "Says where the tool tip is in the arm's base frame.", "result": {"type": {"kind": "struct",
 "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "local_setpoint_cp", "kind": "read",
-"ordinal": 24, "wire": "localSetpointCp", "result": {"type": {"kind": "struct",
-"name": "robots::PoseStamped"}}, "queue": 16}, {"name": "measured_cv", "kind": "read",
-"ordinal": 25, "wire": "measuredCv",
-"doc": "Says how the tip moves, in the directions of the reference frame, which the twist names.",
-"result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {
-"name": "setpoint_cv", "kind": "read", "ordinal": 26, "wire": "setpointCv",
-"doc": "Says how the set-point moves, whatever moves it, in the same directions. If it jumped, and in\nthe first cycle of a motion, this is 0. The stamp is that of the arm's cycle.",
+"ordinal": 24, "wire": "localSetpointCp",
+"doc": "Says where the tool tip is commanded to be, in the arm's base frame.", "result": {"type": {
+"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "measured_cv",
+"kind": "read", "ordinal": 25, "wire": "measuredCv",
+"doc": "Says how the tip moves, in the directions of the reference frame.", "result": {"type": {
+"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {"name": "setpoint_cv", "kind": "read",
+"ordinal": 26, "wire": "setpointCv",
+"doc": "Says how the set-point moves, whatever moves it, in the directions of the reference frame. If\nit jumped, and in the first cycle of a motion, this is 0. The stamp is that of the arm's\ncycle.",
 "result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {
 "name": "body_measured_cf", "kind": "read", "ordinal": 27, "wire": "bodyMeasuredCf",
-"doc": "Says with which wrench the arm presses at its tip, in the tip's own directions: the motors'\nefforts, less the arm's weight by its model, through the transposed Jacobian. It includes\nfriction, inertia and the errors of that model, so it is near a contact's force only if the\narm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit;\nwhat touches the tip presses on it with the opposite. It is not valid if the drives measure no\neffort, without power, and beside a singularity. The stamp is that of the drives' cycle that\nmeasured the joints.",
+"doc": "Says with which wrench the arm presses at its tip, in the tip's own directions: the motors'\nefforts, less the arm's weight by its model, through the transposed Jacobian. It includes\nfriction, inertia and the errors of that model, so it is near a contact's force only if the\narm is slow and presses hard. Its sign is that of body_servo_cf, as in the da Vinci Research\nKit; what touches the tip presses on it with the opposite. It is not valid if the drives\nmeasure no effort, without power, and near a singularity. The stamp is that of the drives'\ncycle that measured the joints.",
 "result": {"type": {"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {
 "name": "spatial_measured_cf", "kind": "read", "ordinal": 28, "wire": "spatialMeasuredCf",
-"doc": "Is the same in the directions of the arm's base frame.", "result": {"type": {
-"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs", "kind": "read",
-"ordinal": 29, "wire": "measuredCs",
+"doc": "Says what body_measured_cf says, in the directions of the arm's base frame.", "result": {
+"type": {"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs",
+"kind": "read", "ordinal": 29, "wire": "measuredCs",
 "doc": "Gives pose, velocity and force of one cycle, in the reference frame.", "result": {"type": {
 "kind": "struct", "name": "robots::CartesianState"}}, "queue": 16}, {"name": "body_jacobian",
 "kind": "read", "ordinal": 30, "wire": "bodyJacobian",
-"doc": "Maps joint velocities to those of the tip, in its own directions. The stamp is that of the\ndrives' cycle that measured the joints.",
+"doc": "Maps joint velocities to the velocity of the tip, in the tip's own directions. The stamp is\nthat of the drives' cycle that measured the joints.",
 "result": {"type": {"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {
 "name": "spatial_jacobian", "kind": "read", "ordinal": 31, "wire": "spatialJacobian",
-"doc": "Is the same in the directions of the arm's base frame.", "result": {"type": {
-"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read",
-"ordinal": 32, "wire": "baseFrame", "result": {"type": {"kind": "struct",
-"name": "robots::TransformStamped"}}, "queue": 16}, {"name": "set_base_frame", "kind": "write",
-"ordinal": 33, "wire": "setBaseFrame",
-"doc": "Sets the arm's base in the reference frame of this interface. It is refused if it is given in\nanother frame, and while the arm moves or follows a stream.",
+"doc": "Maps joint velocities to the velocity of the tip, in the directions of the arm's base frame.",
+"result": {"type": {"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {
+"name": "base_frame", "kind": "read", "ordinal": 32, "wire": "baseFrame",
+"doc": "Says where the arm's base is in the reference frame of this interface.", "result": {
+"type": {"kind": "struct", "name": "robots::TransformStamped"}}, "queue": 16}, {
+"name": "set_base_frame", "kind": "write", "ordinal": 33, "wire": "setBaseFrame",
+"doc": "Sets where the arm's base is in the reference frame of this interface, for all clients. It is\nrefused if `base` names another reference frame than the interface's, and while the arm moves\nor follows a stream.",
 "parameters": [{"name": "base", "type": {"kind": "struct", "name": "robots::TransformStamped"}}],
 "queue": 16}, {"name": "free", "kind": "void", "ordinal": 34,
 "doc": "Lets the set-point follow the joints until another command.", "queue": 16}, {
 "name": "use_gravity_compensation", "kind": "write", "ordinal": 35,
 "wire": "useGravityCompensation",
-"doc": "Is only noted: the event gravity_compensation reports it. It changes no motor, because\ncompensation belongs to the drives.",
+"doc": "Only makes the event gravity_compensation report it. It changes no motor, because compensation\nbelongs to the drives.",
 "parameters": [{"name": "use", "type": {"kind": "Bool"}}], "queue": 16}, {"name": "servo_jr",
-"kind": "write", "ordinal": 36, "wire": "servoJr", "parameters": [{"name": "step", "type": {
-"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16, "ttl": 0.02}, {"name": "servo_jv",
-"kind": "write", "ordinal": 37, "wire": "servoJv", "parameters": [{"name": "goal", "type": {
-"kind": "struct", "name": "robots::JointVelocityGoal"}}], "queue": 16, "latest": true, "ttl": 0.02
-}, {"name": "servo_jf", "kind": "write", "ordinal": 38, "wire": "servoJf", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::JointEffortGoal"}}], "queue": 16,
-"latest": true, "ttl": 0.02}, {"name": "servo_cr", "kind": "write", "ordinal": 39,
+"kind": "write", "ordinal": 36, "wire": "servoJr", "doc": "Steps the set-point by joint positions.",
+"parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16, "ttl": 0.02}, {"name": "servo_jv", "kind": "write", "ordinal": 37, "wire": "servoJv",
+"doc": "Streams joint velocities, newest wins: the set-point moves so fast, within the rate limits.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointVelocityGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jf", "kind": "write", "ordinal": 38,
+"wire": "servoJf",
+"doc": "Streams joint efforts, newest wins: the set-point yields to each as if only a damper held the\njoint (motion/stream_goals.cpp).",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointEffortGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_cr", "kind": "write", "ordinal": 39,
 "wire": "servoCr",
 "doc": "Steps the set-point: the translation is in the reference frame, the rotation turns the tip\nabout itself.",
 "parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
 "queue": 16, "ttl": 0.02}, {"name": "servo_cv", "kind": "write", "ordinal": 40, "wire": "servoCv",
+"doc": "Streams velocities of the tip, in the directions of the reference frame, newest wins.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::TwistGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "body_servo_cf", "kind": "write", "ordinal": 41,
-"wire": "bodyServoCf", "doc": "Streams wrenches in the tip's own directions, newest wins.",
+"wire": "bodyServoCf",
+"doc": "Streams wrenches in the tip's own directions, newest wins: the set-point yields to each as if\nonly a damper held the tip.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::WrenchGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "spatial_servo_cf", "kind": "write",
 "ordinal": 42, "wire": "spatialServoCf",
-"doc": "Streams wrenches in the directions of the arm's base frame, newest wins.", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16,
-"latest": true, "ttl": 0.02}, {"name": "interpolate_jp", "kind": "write", "ordinal": 43,
-"wire": "interpolateJp",
+"doc": "Streams wrenches as body_servo_cf does, in the directions of the arm's base frame.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::WrenchGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "interpolate_jp", "kind": "write",
+"ordinal": 43, "wire": "interpolateJp",
 "doc": "Streams goals that come more slowly than the arm's cycles, newest wins. The set-point goes to\neach in a straight line of the joints, in as much time as lay between it and the goal before\nit, but no faster than the joints can, and stays there. Limits and reach are those of servo\ncommands.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.2}, {"name": "interpolate_jr", "kind": "write", "ordinal": 44,
-"wire": "interpolateJr", "parameters": [{"name": "step", "type": {"kind": "struct",
-"name": "robots::JointGoal"}}], "queue": 16, "ttl": 0.2}, {"name": "interpolate_cp",
-"kind": "write", "ordinal": 45, "wire": "interpolateCp", "parameters": [{"name": "goal", "type": {
-"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.2}, {
-"name": "interpolate_cr", "kind": "write", "ordinal": 46, "wire": "interpolateCr", "parameters": [{
-"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16, "ttl": 0.2
-}, {"name": "move_jr", "kind": "write", "ordinal": 47, "wire": "moveJr", "parameters": [{
+"wire": "interpolateJr", "doc": "Steps the goal of interpolate_jp by joint positions.",
+"parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16, "ttl": 0.2}, {"name": "interpolate_cp", "kind": "write", "ordinal": 45,
+"wire": "interpolateCp",
+"doc": "Streams Cartesian goals that come more slowly than the arm's cycles, as interpolate_jp does.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16, "latest": true, "ttl": 0.2}, {"name": "interpolate_cr", "kind": "write", "ordinal": 46,
+"wire": "interpolateCr", "doc": "Steps the goal of interpolate_cp as servo_cr steps the set-point.",
+"parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16, "ttl": 0.2}, {"name": "move_jr", "kind": "write", "ordinal": 47, "wire": "moveJr",
+"doc": "Moves as move_jp does, by joint positions from the set-point.", "parameters": [{
 "name": "step", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16}, {
-"name": "move_cp", "kind": "write", "ordinal": 48, "wire": "moveCp", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
-"name": "move_cr", "kind": "write", "ordinal": 49, "wire": "moveCr", "parameters": [{
-"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
-"name": "trajectory_j_set_ratio", "kind": "write", "ordinal": 50, "wire": "trajectoryJSetRatio",
-"doc": "Sets which share of what the joints can do moves use: of velocity and acceleration together.",
+"name": "move_cp", "kind": "write", "ordinal": 48, "wire": "moveCp",
+"doc": "Moves the tip to a pose, by the motion of the joints that move_jp plans: the path is not\nstraight in space. A goal that the joints cannot reach within their limits is refused.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16}, {"name": "move_cr", "kind": "write", "ordinal": 49, "wire": "moveCr",
+"doc": "Moves as move_cp does, by a step from the set-point that is given as servo_cr's.",
+"parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"queue": 16}, {"name": "trajectory_j_set_ratio", "kind": "write", "ordinal": 50,
+"wire": "trajectoryJSetRatio",
+"doc": "Sets the fraction of the joints' velocity and acceleration limits that moves use.",
 "parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
 {"name": "trajectory_j_set_ratio_v", "kind": "write", "ordinal": 51, "wire": "trajectoryJSetRatioV",
-"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
-{"name": "trajectory_j_set_ratio_a", "kind": "write", "ordinal": 52, "wire": "trajectoryJSetRatioA",
-"parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
-{"name": "trajectory_j_ratio", "kind": "read", "ordinal": 53, "wire": "trajectoryJRatio",
-"doc": "Is the smaller of the two below.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "trajectory_j_ratio_v", "kind": "read", "ordinal": 54, "wire": "trajectoryJRatioV",
-"result": {"type": {"kind": "Float64"}}, "queue": 16}, {"name": "trajectory_j_ratio_a",
-"kind": "read", "ordinal": 55, "wire": "trajectoryJRatioA", "result": {"type": {"kind": "Float64"}
-}, "queue": 16}, {"name": "query_cp", "kind": "qualified read", "ordinal": 56, "wire": "queryCp",
-"doc": "Computes the pose of the link behind as many joints as the vector has, at most all; without\nany, that of the base.",
+"doc": "Sets the fraction of the velocity limits alone.", "parameters": [{"name": "ratio", "type": {
+"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16}, {"name": "trajectory_j_set_ratio_a",
+"kind": "write", "ordinal": 52, "wire": "trajectoryJSetRatioA",
+"doc": "Sets the fraction of the acceleration limits alone.", "parameters": [{"name": "ratio",
+"type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16}, {"name": "trajectory_j_ratio",
+"kind": "read", "ordinal": 53, "wire": "trajectoryJRatio",
+"doc": "Says the smaller of trajectory_j_ratio_v and trajectory_j_ratio_a.", "result": {"type": {
+"kind": "Float64"}}, "queue": 16}, {"name": "trajectory_j_ratio_v", "kind": "read", "ordinal": 54,
+"wire": "trajectoryJRatioV", "doc": "Says what trajectory_j_set_ratio_v has set.", "result": {
+"type": {"kind": "Float64"}}, "queue": 16}, {"name": "trajectory_j_ratio_a", "kind": "read",
+"ordinal": 55, "wire": "trajectoryJRatioA", "doc": "Says what trajectory_j_set_ratio_a has set.",
+"result": {"type": {"kind": "Float64"}}, "queue": 16}, {"name": "query_cp",
+"kind": "qualified read", "ordinal": 56, "wire": "queryCp",
+"doc": "Computes the pose of link n for a vector of n joints, at most all of them; that of the base\nfor an empty one.",
 "parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
 "type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
 "name": "local_query_cp", "kind": "qualified read", "ordinal": 57, "wire": "localQueryCp",
-"doc": "Computes the same in the arm's base frame.", "parameters": [{"name": "q", "type": {
-"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {"kind": "struct",
+"doc": "Computes what query_cp does, in the arm's base frame.", "parameters": [{"name": "q",
+"type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {"kind": "struct",
 "name": "robots::PoseStamped"}}, "queue": 16}], "events": [{"name": "status", "kind": "write",
 "ordinal": 1, "doc": "Reports that something has been done, and nothing is wrong.", "payload": {
 "type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
@@ -886,19 +907,22 @@ constexpr char kArmDescription[] = R"json(
 "payload": {"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16,
 "latched": true, "number": 0}, {"name": "goal_reached", "kind": "write", "ordinal": 2,
 "wire": "goalReached",
-"doc": "Reports the end of a move: true at its goal, false if something else replaced it.",
-"payload": {"type": {"kind": "Bool"}}, "queue": 16, "number": 1}, {"name": "desired_state",
-"kind": "write", "ordinal": 6, "wire": "desiredState",
-"doc": "Reports the state that a command asked for.", "payload": {"type": {"kind": "enum",
-"name": "robots::ArmState"}}, "queue": 16, "latched": true, "number": 5}, {
-"name": "gravity_compensation", "kind": "write", "ordinal": 7, "wire": "gravityCompensation",
-"payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true, "number": 6}, {
+"doc": "Reports the end of a move: true at its goal, false if anything else ended it.", "payload": {
+"type": {"kind": "Bool"}}, "queue": 16, "number": 1}, {"name": "desired_state", "kind": "write",
+"ordinal": 6, "wire": "desiredState", "doc": "Reports the state that a command asked for.",
+"payload": {"type": {"kind": "enum", "name": "robots::ArmState"}}, "queue": 16, "latched": true,
+"number": 5}, {"name": "gravity_compensation", "kind": "write", "ordinal": 7,
+"wire": "gravityCompensation", "doc": "Reports what use_gravity_compensation has set.", "payload": {
+"type": {"kind": "Bool"}}, "queue": 16, "latched": true, "number": 6}, {
 "name": "trajectory_j_ratio", "kind": "write", "ordinal": 8, "wire": "trajectoryJRatio",
-"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true, "number": 7}, {
-"name": "trajectory_j_ratio_v", "kind": "write", "ordinal": 9, "wire": "trajectoryJRatioV",
-"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true, "number": 8}, {
-"name": "trajectory_j_ratio_a", "kind": "write", "ordinal": 10, "wire": "trajectoryJRatioA",
-"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true, "number": 9}], "enums": [{
+"doc": "Reports a change of the fraction that trajectory_j_ratio says.", "payload": {"type": {
+"kind": "Float64"}}, "queue": 16, "latched": true, "number": 7}, {"name": "trajectory_j_ratio_v",
+"kind": "write", "ordinal": 9, "wire": "trajectoryJRatioV",
+"doc": "Reports a change of the fraction of the velocity limits.", "payload": {"type": {
+"kind": "Float64"}}, "queue": 16, "latched": true, "number": 8}, {"name": "trajectory_j_ratio_a",
+"kind": "write", "ordinal": 10, "wire": "trajectoryJRatioA",
+"doc": "Reports a change of the fraction of the acceleration limits.", "payload": {"type": {
+"kind": "Float64"}}, "queue": 16, "latched": true, "number": 9}], "enums": [{
 "name": "robots::ArmState", "doc": "Are the states of CRTK.", "underlying": "UInt8",
 "enumerators": [{"name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled",
 "value": 1, "wire": "disabled"}, {"name": "Enabled", "value": 2, "wire": "enabled"}, {
@@ -941,7 +965,7 @@ constexpr char kArmDescription[] = R"json(
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
 "doc": "If it is false, no joint vector within limits reaches the pose, and `position` is the nearest\none found.",
 "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::JointConfiguration",
-"doc": "Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.",
+"doc": "Says what the joints are and what they may do, for CRTK's configuration_js. Corresponds to\ncisst's prmConfigurationJoint.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
 "name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "wire": "positionMin",
@@ -966,7 +990,7 @@ constexpr char kArmDescription[] = R"json(
 "type": {"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "samples", "type": {
 "kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Twist",
-"doc": "Is a velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.",
+"doc": "Is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's prmVelocityCartesianGet.",
 "fields": [{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64",
 "rows": 3, "columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame",
@@ -974,16 +998,16 @@ constexpr char kArmDescription[] = R"json(
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}, {"name": "valid", "doc": "If it is false, do not use it.", "type": {
 "kind": "Bool"}, "default": false}]}, {"name": "robots::Wrench",
-"doc": "Is force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.", "fields": [
-{"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"doc": "Is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to cisst's\nprmForceCartesianGet.",
+"fields": [{"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
+}, "unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Says which components are known.", "type": {
 "kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "moving_frame",
 "wire": "movingFrame", "type": {"kind": "UInt32"}, "default": 0}, {"name": "reference_frame",
 "wire": "referenceFrame", "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "If it is false, do not use it.",
 "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::CartesianState",
-"doc": "Is pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.",
+"doc": "Is pose, velocity and force of one instant, as CRTK's measured_cs says it. Corresponds to\ncisst's prmStateCartesian.",
 "fields": [{"name": "moving_frame", "wire": "movingFrame", "type": {"kind": "UInt32"}, "default": 0
 }, {"name": "reference_frame", "wire": "referenceFrame", "type": {"kind": "UInt32"}, "default": 0},
 {"name": "position", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {
@@ -1009,9 +1033,10 @@ constexpr char kArmDescription[] = R"json(
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "moving_frame", "wire": "movingFrame", "type": {
 "kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "valid", "doc": "If it is false, do not use it.", "type": {"kind": "Bool"}, "default": false
-}]}, {"name": "robots::JointVelocityGoal", "doc": "CRTK's servo_jv: prmVelocityJointSet.",
-"fields": [{"name": "goal", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8
-}, "unit": "rad/s"}, {"name": "acceleration", "doc": "Is optional.", "type": {"kind": "list",
+}]}, {"name": "robots::JointVelocityGoal",
+"doc": "Is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.", "fields": [{
+"name": "goal", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "rad/s"}, {"name": "acceleration", "doc": "Is optional.", "type": {"kind": "list",
 "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "deceleration",
 "doc": "Is optional.", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
 "unit": "rad/s2"}, {"name": "guard", "doc": "Is optional: the positions not to pass.", "type": {
@@ -1019,24 +1044,25 @@ constexpr char kArmDescription[] = R"json(
 "doc": "Is optional, and says which joints count; if it is empty, all do.", "type": {
 "kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "robots::JointEffortGoal",
-"doc": "CRTK's servo_jf: prmForceTorqueJointSet.", "fields": [{"name": "effort", "type": {
-"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "mask",
+"doc": "Is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.", "fields": [
+{"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "N.m"}, {"name": "mask",
 "doc": "Is optional, and says which joints count; if it is empty, all do.", "type": {
 "kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "robots::TwistGoal",
-"doc": "Is a velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.", "fields": [{
-"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "rad/s"}, {"name": "linear_acceleration", "wire": "linearAcceleration",
-"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s2"}, {
-"name": "angular_acceleration", "wire": "angularAcceleration", "type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}, "unit": "rad/s2"}, {"name": "mask",
-"doc": "Says which of x, y, z and the rotations about them count.", "type": {"kind": "array",
-"element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {"kind": "time",
-"clock": "steady"}}]}, {"name": "robots::WrenchGoal",
-"doc": "Is force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.", "fields": [{
-"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"doc": "Is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's prmVelocityCartesianSet.",
+"fields": [{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64",
+"rows": 3, "columns": 1}, "unit": "rad/s"}, {"name": "linear_acceleration",
+"wire": "linearAcceleration", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "m/s2"}, {"name": "angular_acceleration", "wire": "angularAcceleration",
+"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "rad/s2"}, {
+"name": "mask", "doc": "Says which of x, y, z and the rotations about them count.", "type": {
+"kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::WrenchGoal",
+"doc": "Is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's prmForceCartesianSet.",
+"fields": [{"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
+}, "unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Says which components count.", "type": {
 "kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "suture::Message", "fields": [{"name": "text",
@@ -1729,7 +1755,7 @@ struct Provided<robots::Arm>::Dispatch {
 Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* arguments,
                                     std::byte* result) {
   using ::robots::ArmCommand;
-  switch (static_cast<ArmCommand>(command)) {
+  switch (command) {
     case ArmCommand::enable: return Dispatch::execute_enable(implementation_);
     case ArmCommand::disable: return Dispatch::execute_disable(implementation_);
     case ArmCommand::home: return Dispatch::execute_home(implementation_);

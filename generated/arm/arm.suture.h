@@ -1,4 +1,7 @@
 // Written by suturec from arm/arm.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. arm.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -204,102 +207,108 @@ struct ArmLocalQueryCpArguments {
 bool store(const JointGoal& q, ArmLocalQueryCpArguments& slot);
 void shiftStamps(ArmLocalQueryCpArguments& slot, suture::Duration shift);
 
-/// Names the numbers of Arm's commands in every table and record.
-enum class ArmCommand : std::uint16_t {
-  enable,
-  disable,
-  home,
-  hold,
-  servo_cp,
-  servo_jp,
-  move_jp,
-  measured_js,
-  setpoint_js,
-  measured_cp,
-  setpoint_cp,
-  operating_state,
-  forward_kinematics,
-  inverse_kinematics,
-  configuration_js,
-  period_statistics,
-  pause,
-  resume,
-  unhome,
-  state_command,
-  goal_js,
-  goal_cp,
-  local_measured_cp,
-  local_setpoint_cp,
-  measured_cv,
-  setpoint_cv,
-  body_measured_cf,
-  spatial_measured_cf,
-  measured_cs,
-  body_jacobian,
-  spatial_jacobian,
-  base_frame,
-  set_base_frame,
-  free,
-  use_gravity_compensation,
-  servo_jr,
-  servo_jv,
-  servo_jf,
-  servo_cr,
-  servo_cv,
-  body_servo_cf,
-  spatial_servo_cf,
-  interpolate_jp,
-  interpolate_jr,
-  interpolate_cp,
-  interpolate_cr,
-  move_jr,
-  move_cp,
-  move_cr,
-  trajectory_j_set_ratio,
-  trajectory_j_set_ratio_v,
-  trajectory_j_set_ratio_a,
-  trajectory_j_ratio,
-  trajectory_j_ratio_v,
-  trajectory_j_ratio_a,
-  query_cp,
-  local_query_cp,
+/// Numbers the commands of Arm.
+struct ArmCommand {
+  enum : std::uint16_t {
+    enable,
+    disable,
+    home,
+    hold,
+    servo_cp,
+    servo_jp,
+    move_jp,
+    measured_js,
+    setpoint_js,
+    measured_cp,
+    setpoint_cp,
+    operating_state,
+    forward_kinematics,
+    inverse_kinematics,
+    configuration_js,
+    period_statistics,
+    pause,
+    resume,
+    unhome,
+    state_command,
+    goal_js,
+    goal_cp,
+    local_measured_cp,
+    local_setpoint_cp,
+    measured_cv,
+    setpoint_cv,
+    body_measured_cf,
+    spatial_measured_cf,
+    measured_cs,
+    body_jacobian,
+    spatial_jacobian,
+    base_frame,
+    set_base_frame,
+    free,
+    use_gravity_compensation,
+    servo_jr,
+    servo_jv,
+    servo_jf,
+    servo_cr,
+    servo_cv,
+    body_servo_cf,
+    spatial_servo_cf,
+    interpolate_jp,
+    interpolate_jr,
+    interpolate_cp,
+    interpolate_cr,
+    move_jr,
+    move_cp,
+    move_cr,
+    trajectory_j_set_ratio,
+    trajectory_j_set_ratio_v,
+    trajectory_j_set_ratio_a,
+    trajectory_j_ratio,
+    trajectory_j_ratio_v,
+    trajectory_j_ratio_a,
+    query_cp,
+    local_query_cp,
+  };
 };
 
-/// Names the numbers of Arm's own events.
-enum class ArmEvent : std::uint16_t {
-  operating_state = 3,
-  goal_reached,
-  desired_state,
-  gravity_compensation,
-  trajectory_j_ratio,
-  trajectory_j_ratio_v,
-  trajectory_j_ratio_a,
+/// Numbers the events of Arm, behind those that it inherits.
+struct ArmEvent {
+  enum : std::uint16_t {
+    operating_state = 3,
+    goal_reached,
+    desired_state,
+    gravity_compensation,
+    trajectory_j_ratio,
+    trajectory_j_ratio_v,
+    trajectory_j_ratio_a,
+  };
 };
 
-/// Names where a row of the state has each read of Arm.
-enum class ArmColumn : std::uint16_t {
-  measured_js,
-  setpoint_js,
-  measured_cp,
-  setpoint_cp,
-  operating_state,
-  configuration_js,
-  period_statistics,
-  goal_js,
-  goal_cp,
-  local_measured_cp,
-  local_setpoint_cp,
-  measured_cv,
-  setpoint_cv,
-  body_measured_cf,
-  spatial_measured_cf,
-  measured_cs,
-  body_jacobian,
-  spatial_jacobian,
-  base_frame,
-  trajectory_j_ratio,
-  trajectory_j_ratio_v,
-  trajectory_j_ratio_a,
+/// Numbers the reads of Arm as a row of the state has them.
+struct ArmColumn {
+  enum : std::uint16_t {
+    measured_js,
+    setpoint_js,
+    measured_cp,
+    setpoint_cp,
+    operating_state,
+    configuration_js,
+    period_statistics,
+    goal_js,
+    goal_cp,
+    local_measured_cp,
+    local_setpoint_cp,
+    measured_cv,
+    setpoint_cv,
+    body_measured_cf,
+    spatial_measured_cf,
+    measured_cs,
+    body_jacobian,
+    spatial_jacobian,
+    base_frame,
+    trajectory_j_ratio,
+    trajectory_j_ratio_v,
+    trajectory_j_ratio_a,
+  };
 };
 
 }  // namespace robots
@@ -321,202 +330,282 @@ class Required<robots::Arm> : public Required<suture::Messages> {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Gives the drives power. The arm holds its position.
-  Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
-  /// Stops the arm at once, without power. It ignores motion until it is enabled again.
-  Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
+  /// Void: up to 16 wait.
+  Command<&Contract::enable, NoSlot> enable{*this, Id::enable};
+  /// Stops the arm at once and takes its power. It refuses motion until it is enabled again.
+  /// Void: up to 16 wait.
+  Command<&Contract::disable, NoSlot> disable{*this, Id::disable};
   /// Moves the arm to its home position, if it is enabled. The move ends with goal_reached.
-  Command<&Contract::home, NoSlot> home{*this, static_cast<std::uint16_t>(Id::home)};
+  /// Void: up to 16 wait.
+  Command<&Contract::home, NoSlot> home{*this, Id::home};
   /// Drops what is under way; the set-point stays where it is.
-  Command<&Contract::hold, NoSlot> hold{*this, static_cast<std::uint16_t>(Id::hold)};
+  /// Void: up to 16 wait.
+  Command<&Contract::hold, NoSlot> hold{*this, Id::hold};
   /// Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along it, at the
-  /// nearest point that the limits admit. A goal that is out of reach, or too far for one step,
-  /// leaves the set-point. The arm reports both. setpoint_cp keeps the goal's stamp.
-  Command<&Contract::servo_cp, robots::ArmServoCpArguments> servo_cp{
-      *this, static_cast<std::uint16_t>(Id::servo_cp)};
+  /// nearest point that the limits admit, and warns of AtLimit. A goal that is out of reach, or
+  /// farther from the set-point than the rate limits admit, is dropped with a warning, OutOfReach
+  /// or StepTooFar, and the set-point stays where it was. setpoint_cp keeps the goal's stamp.
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
+  Command<&Contract::servo_cp, robots::ArmServoCpArguments> servo_cp{*this, Id::servo_cp};
   /// Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at the limit.
-  Command<&Contract::servo_jp, robots::ArmServoJpArguments> servo_jp{
-      *this, static_cast<std::uint16_t>(Id::servo_jp)};
-  /// Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:
-  /// one may begin while it moves. Each ends at rest and with goal_reached.
-  Command<&Contract::move_jp, robots::ArmMoveJpArguments> move_jp{
-      *this, static_cast<std::uint16_t>(Id::move_jp)};
-  /// Says where the joints are, and what their motors give; that list is empty if the drives do not
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
+  Command<&Contract::servo_jp, robots::ArmServoJpArguments> servo_jp{*this, Id::servo_jp};
+  /// Plans and executes a smooth motion of the joints from the set-point, and from the velocity
+  /// that it has: a move may replace another under way. It ends at rest and with goal_reached. A
+  /// goal beyond a joint limit is refused.
+  /// Write: up to 16 wait.
+  Command<&Contract::move_jp, robots::ArmMoveJpArguments> move_jp{*this, Id::move_jp};
+  /// Says where the joints are, and what their motors give; `effort` is empty if the drives do not
   /// measure it. The stamp is that of the drives' cycle that measured them.
-  ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
-      *this, static_cast<std::uint16_t>(Id::measured_js)};
-  /// Says where the joints shall be.
-  ReadCommand<&Contract::setpoint_js, robots::JointStateSlot> setpoint_js{
-      *this, static_cast<std::uint16_t>(Id::setpoint_js)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{*this, Id::measured_js};
+  /// Says where the joints are commanded to be in this cycle.
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::setpoint_js, robots::JointStateSlot> setpoint_js{*this, Id::setpoint_js};
   /// Says where the tool tip is. The stamp is that of the drives' cycle that measured the joints.
-  ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{
-      *this, static_cast<std::uint16_t>(Id::measured_cp)};
-  /// Says where the tool tip shall be. The stamp is that of the servo_cp or interpolate_cp goal
-  /// from which it came, else that of the arm's cycle.
-  ReadCommand<&Contract::setpoint_cp, robots::PoseStampedSlot> setpoint_cp{
-      *this, static_cast<std::uint16_t>(Id::setpoint_cp)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{*this, Id::measured_cp};
+  /// Says where the tool tip is commanded to be in this cycle. The stamp is that of the servo_cp or
+  /// interpolate_cp goal from which it came, else that of the arm's cycle.
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::setpoint_cp, robots::PoseStampedSlot> setpoint_cp{*this, Id::setpoint_cp};
+  /// Says in which state of CRTK the arm is, and whether it is homed.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::operating_state, robots::OperatingStateSlot> operating_state{
-      *this, static_cast<std::uint16_t>(Id::operating_state)};
+      *this, Id::operating_state};
   /// Computes the tool tip for a joint vector; it is not valid if the vector has the wrong length.
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::forward_kinematics, robots::ArmForwardKinematicsArguments,
-                       robots::PoseStampedSlot> forward_kinematics{
-      *this, static_cast<std::uint16_t>(Id::forward_kinematics)};
+                       robots::PoseStampedSlot> forward_kinematics{*this, Id::forward_kinematics};
   /// Computes a joint vector for a tool tip, searched from the present set-point.
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::inverse_kinematics, robots::ArmInverseKinematicsArguments,
-                       robots::JointSolutionSlot> inverse_kinematics{
-      *this, static_cast<std::uint16_t>(Id::inverse_kinematics)};
+                       robots::JointSolutionSlot> inverse_kinematics{*this, Id::inverse_kinematics};
   /// Says what the joints are and what they may do. Velocities are their rate limits, accelerations
-  /// those of moves. Efforts are the most that the motors give; for a da Vinci they are published
-  /// (dynamics/davinci_inertia.cpp: ftmax), accelerations are not. If nothing is bounded the lists
-  /// are empty.
+  /// those of moves, efforts the most that the motors give. For a da Vinci the efforts are from the
+  /// literature, the accelerations our own. A list is empty if it bounds no joint.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
-      *this, static_cast<std::uint16_t>(Id::configuration_js)};
+      *this, Id::configuration_js};
   /// Says how regularly the arm's task ran in the last second.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::period_statistics, robots::IntervalStatisticsSlot> period_statistics{
-      *this, static_cast<std::uint16_t>(Id::period_statistics)};
-  /// Stops the arm where the joints are. It ignores motion until resume().
-  Command<&Contract::pause, NoSlot> pause{*this, static_cast<std::uint16_t>(Id::pause)};
-  Command<&Contract::resume, NoSlot> resume{*this, static_cast<std::uint16_t>(Id::resume)};
+      *this, Id::period_statistics};
+  /// Stops the arm where the joints are. It refuses motion until resume().
+  /// Void: up to 16 wait.
+  Command<&Contract::pause, NoSlot> pause{*this, Id::pause};
+  /// Ends a pause: the arm is enabled and holds.
+  /// Void: up to 16 wait.
+  Command<&Contract::resume, NoSlot> resume{*this, Id::resume};
   /// Makes the arm forget that it is homed.
-  Command<&Contract::unhome, NoSlot> unhome{*this, static_cast<std::uint16_t>(Id::unhome)};
-  /// Does one of the six above, by its name; any other name is an `error`.
+  /// Void: up to 16 wait.
+  Command<&Contract::unhome, NoSlot> unhome{*this, Id::unhome};
+  /// Does what its name says: "enable", "disable", "pause", "resume", "home" or "unhome". Any other
+  /// name is reported as an error.
+  /// Write: up to 16 wait.
   Command<&Contract::state_command, robots::ArmStateCommandArguments> state_command{
-      *this, static_cast<std::uint16_t>(Id::state_command)};
+      *this, Id::state_command};
   /// Says where the present move ends; without one, it is the set-point.
-  ReadCommand<&Contract::goal_js, robots::JointStateSlot> goal_js{
-      *this, static_cast<std::uint16_t>(Id::goal_js)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::goal_js, robots::JointStateSlot> goal_js{*this, Id::goal_js};
   /// Says where the present move ends; without one, it is the set-point.
-  ReadCommand<&Contract::goal_cp, robots::PoseStampedSlot> goal_cp{
-      *this, static_cast<std::uint16_t>(Id::goal_cp)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::goal_cp, robots::PoseStampedSlot> goal_cp{*this, Id::goal_cp};
+  /// Says where the tool tip is in the arm's base frame.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::local_measured_cp, robots::PoseStampedSlot> local_measured_cp{
-      *this, static_cast<std::uint16_t>(Id::local_measured_cp)};
+      *this, Id::local_measured_cp};
+  /// Says where the tool tip is commanded to be, in the arm's base frame.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::local_setpoint_cp, robots::PoseStampedSlot> local_setpoint_cp{
-      *this, static_cast<std::uint16_t>(Id::local_setpoint_cp)};
-  /// Says how the tip moves, in the directions of the reference frame, which the twist names.
-  ReadCommand<&Contract::measured_cv, robots::TwistSlot> measured_cv{
-      *this, static_cast<std::uint16_t>(Id::measured_cv)};
-  /// Says how the set-point moves, whatever moves it, in the same directions. If it jumped, and in
-  /// the first cycle of a motion, this is 0. The stamp is that of the arm's cycle.
-  ReadCommand<&Contract::setpoint_cv, robots::TwistSlot> setpoint_cv{
-      *this, static_cast<std::uint16_t>(Id::setpoint_cv)};
+      *this, Id::local_setpoint_cp};
+  /// Says how the tip moves, in the directions of the reference frame.
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::measured_cv, robots::TwistSlot> measured_cv{*this, Id::measured_cv};
+  /// Says how the set-point moves, whatever moves it, in the directions of the reference frame. If
+  /// it jumped, and in the first cycle of a motion, this is 0. The stamp is that of the arm's
+  /// cycle.
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::setpoint_cv, robots::TwistSlot> setpoint_cv{*this, Id::setpoint_cv};
   /// Says with which wrench the arm presses at its tip, in the tip's own directions: the motors'
   /// efforts, less the arm's weight by its model, through the transposed Jacobian. It includes
   /// friction, inertia and the errors of that model, so it is near a contact's force only if the
-  /// arm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit;
-  /// what touches the tip presses on it with the opposite. It is not valid if the drives measure no
-  /// effort, without power, and beside a singularity. The stamp is that of the drives' cycle that
-  /// measured the joints.
+  /// arm is slow and presses hard. Its sign is that of body_servo_cf, as in the da Vinci Research
+  /// Kit; what touches the tip presses on it with the opposite. It is not valid if the drives
+  /// measure no effort, without power, and near a singularity. The stamp is that of the drives'
+  /// cycle that measured the joints.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::body_measured_cf, robots::WrenchSlot> body_measured_cf{
-      *this, static_cast<std::uint16_t>(Id::body_measured_cf)};
-  /// Is the same in the directions of the arm's base frame.
+      *this, Id::body_measured_cf};
+  /// Says what body_measured_cf says, in the directions of the arm's base frame.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::spatial_measured_cf, robots::WrenchSlot> spatial_measured_cf{
-      *this, static_cast<std::uint16_t>(Id::spatial_measured_cf)};
+      *this, Id::spatial_measured_cf};
   /// Gives pose, velocity and force of one cycle, in the reference frame.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::measured_cs, robots::CartesianStateSlot> measured_cs{
-      *this, static_cast<std::uint16_t>(Id::measured_cs)};
-  /// Maps joint velocities to those of the tip, in its own directions. The stamp is that of the
-  /// drives' cycle that measured the joints.
+      *this, Id::measured_cs};
+  /// Maps joint velocities to the velocity of the tip, in the tip's own directions. The stamp is
+  /// that of the drives' cycle that measured the joints.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::body_jacobian, robots::JacobianSlot> body_jacobian{
-      *this, static_cast<std::uint16_t>(Id::body_jacobian)};
-  /// Is the same in the directions of the arm's base frame.
+      *this, Id::body_jacobian};
+  /// Maps joint velocities to the velocity of the tip, in the directions of the arm's base frame.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::spatial_jacobian, robots::JacobianSlot> spatial_jacobian{
-      *this, static_cast<std::uint16_t>(Id::spatial_jacobian)};
+      *this, Id::spatial_jacobian};
+  /// Says where the arm's base is in the reference frame of this interface.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::base_frame, robots::TransformStampedSlot> base_frame{
-      *this, static_cast<std::uint16_t>(Id::base_frame)};
-  /// Sets the arm's base in the reference frame of this interface. It is refused if it is given in
-  /// another frame, and while the arm moves or follows a stream.
+      *this, Id::base_frame};
+  /// Sets where the arm's base is in the reference frame of this interface, for all clients. It is
+  /// refused if `base` names another reference frame than the interface's, and while the arm moves
+  /// or follows a stream.
+  /// Write: up to 16 wait.
   Command<&Contract::set_base_frame, robots::ArmSetBaseFrameArguments> set_base_frame{
-      *this, static_cast<std::uint16_t>(Id::set_base_frame)};
+      *this, Id::set_base_frame};
   /// Lets the set-point follow the joints until another command.
-  Command<&Contract::free, NoSlot> free{*this, static_cast<std::uint16_t>(Id::free)};
-  /// Is only noted: the event gravity_compensation reports it. It changes no motor, because
-  /// compensation belongs to the drives.
+  /// Void: up to 16 wait.
+  Command<&Contract::free, NoSlot> free{*this, Id::free};
+  /// Only makes the event gravity_compensation report it. It changes no motor, because compensation
+  /// belongs to the drives.
+  /// Write: up to 16 wait.
   Command<&Contract::use_gravity_compensation,
           robots::ArmUseGravityCompensationArguments> use_gravity_compensation{
-      *this, static_cast<std::uint16_t>(Id::use_gravity_compensation)};
-  Command<&Contract::servo_jr, robots::ArmServoJrArguments> servo_jr{
-      *this, static_cast<std::uint16_t>(Id::servo_jr)};
-  Command<&Contract::servo_jv, robots::ArmServoJvArguments> servo_jv{
-      *this, static_cast<std::uint16_t>(Id::servo_jv)};
-  Command<&Contract::servo_jf, robots::ArmServoJfArguments> servo_jf{
-      *this, static_cast<std::uint16_t>(Id::servo_jf)};
+      *this, Id::use_gravity_compensation};
+  /// Steps the set-point by joint positions.
+  /// Write: up to 16 wait. Not executed if it was sent more than 20 ms ago.
+  Command<&Contract::servo_jr, robots::ArmServoJrArguments> servo_jr{*this, Id::servo_jr};
+  /// Streams joint velocities, newest wins: the set-point moves so fast, within the rate limits.
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
+  Command<&Contract::servo_jv, robots::ArmServoJvArguments> servo_jv{*this, Id::servo_jv};
+  /// Streams joint efforts, newest wins: the set-point yields to each as if only a damper held the
+  /// joint (motion/stream_goals.cpp).
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
+  Command<&Contract::servo_jf, robots::ArmServoJfArguments> servo_jf{*this, Id::servo_jf};
   /// Steps the set-point: the translation is in the reference frame, the rotation turns the tip
   /// about itself.
-  Command<&Contract::servo_cr, robots::ArmServoCrArguments> servo_cr{
-      *this, static_cast<std::uint16_t>(Id::servo_cr)};
-  Command<&Contract::servo_cv, robots::ArmServoCvArguments> servo_cv{
-      *this, static_cast<std::uint16_t>(Id::servo_cv)};
-  /// Streams wrenches in the tip's own directions, newest wins.
+  /// Write: up to 16 wait. Not executed if it was sent more than 20 ms ago.
+  Command<&Contract::servo_cr, robots::ArmServoCrArguments> servo_cr{*this, Id::servo_cr};
+  /// Streams velocities of the tip, in the directions of the reference frame, newest wins.
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
+  Command<&Contract::servo_cv, robots::ArmServoCvArguments> servo_cv{*this, Id::servo_cv};
+  /// Streams wrenches in the tip's own directions, newest wins: the set-point yields to each as if
+  /// only a damper held the tip.
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
   Command<&Contract::body_servo_cf, robots::ArmBodyServoCfArguments> body_servo_cf{
-      *this, static_cast<std::uint16_t>(Id::body_servo_cf)};
-  /// Streams wrenches in the directions of the arm's base frame, newest wins.
+      *this, Id::body_servo_cf};
+  /// Streams wrenches as body_servo_cf does, in the directions of the arm's base frame.
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
   Command<&Contract::spatial_servo_cf, robots::ArmSpatialServoCfArguments> spatial_servo_cf{
-      *this, static_cast<std::uint16_t>(Id::spatial_servo_cf)};
+      *this, Id::spatial_servo_cf};
   /// Streams goals that come more slowly than the arm's cycles, newest wins. The set-point goes to
   /// each in a straight line of the joints, in as much time as lay between it and the goal before
   /// it, but no faster than the joints can, and stays there. Limits and reach are those of servo
   /// commands.
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 200 ms
+  /// ago.
   Command<&Contract::interpolate_jp, robots::ArmInterpolateJpArguments> interpolate_jp{
-      *this, static_cast<std::uint16_t>(Id::interpolate_jp)};
+      *this, Id::interpolate_jp};
+  /// Steps the goal of interpolate_jp by joint positions.
+  /// Write: up to 16 wait. Not executed if it was sent more than 200 ms ago.
   Command<&Contract::interpolate_jr, robots::ArmInterpolateJrArguments> interpolate_jr{
-      *this, static_cast<std::uint16_t>(Id::interpolate_jr)};
+      *this, Id::interpolate_jr};
+  /// Streams Cartesian goals that come more slowly than the arm's cycles, as interpolate_jp does.
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 200 ms
+  /// ago.
   Command<&Contract::interpolate_cp, robots::ArmInterpolateCpArguments> interpolate_cp{
-      *this, static_cast<std::uint16_t>(Id::interpolate_cp)};
+      *this, Id::interpolate_cp};
+  /// Steps the goal of interpolate_cp as servo_cr steps the set-point.
+  /// Write: up to 16 wait. Not executed if it was sent more than 200 ms ago.
   Command<&Contract::interpolate_cr, robots::ArmInterpolateCrArguments> interpolate_cr{
-      *this, static_cast<std::uint16_t>(Id::interpolate_cr)};
-  Command<&Contract::move_jr, robots::ArmMoveJrArguments> move_jr{
-      *this, static_cast<std::uint16_t>(Id::move_jr)};
-  Command<&Contract::move_cp, robots::ArmMoveCpArguments> move_cp{
-      *this, static_cast<std::uint16_t>(Id::move_cp)};
-  Command<&Contract::move_cr, robots::ArmMoveCrArguments> move_cr{
-      *this, static_cast<std::uint16_t>(Id::move_cr)};
-  /// Sets which share of what the joints can do moves use: of velocity and acceleration together.
+      *this, Id::interpolate_cr};
+  /// Moves as move_jp does, by joint positions from the set-point.
+  /// Write: up to 16 wait.
+  Command<&Contract::move_jr, robots::ArmMoveJrArguments> move_jr{*this, Id::move_jr};
+  /// Moves the tip to a pose, by the motion of the joints that move_jp plans: the path is not
+  /// straight in space. A goal that the joints cannot reach within their limits is refused.
+  /// Write: up to 16 wait.
+  Command<&Contract::move_cp, robots::ArmMoveCpArguments> move_cp{*this, Id::move_cp};
+  /// Moves as move_cp does, by a step from the set-point that is given as servo_cr's.
+  /// Write: up to 16 wait.
+  Command<&Contract::move_cr, robots::ArmMoveCrArguments> move_cr{*this, Id::move_cr};
+  /// Sets the fraction of the joints' velocity and acceleration limits that moves use.
+  /// Write: up to 16 wait. `ratio` is from 0.01 to 1.
   Command<&Contract::trajectory_j_set_ratio,
           robots::ArmTrajectoryJSetRatioArguments> trajectory_j_set_ratio{
-      *this, static_cast<std::uint16_t>(Id::trajectory_j_set_ratio)};
+      *this, Id::trajectory_j_set_ratio};
+  /// Sets the fraction of the velocity limits alone.
+  /// Write: up to 16 wait. `ratio` is from 0.01 to 1.
   Command<&Contract::trajectory_j_set_ratio_v,
           robots::ArmTrajectoryJSetRatioVArguments> trajectory_j_set_ratio_v{
-      *this, static_cast<std::uint16_t>(Id::trajectory_j_set_ratio_v)};
+      *this, Id::trajectory_j_set_ratio_v};
+  /// Sets the fraction of the acceleration limits alone.
+  /// Write: up to 16 wait. `ratio` is from 0.01 to 1.
   Command<&Contract::trajectory_j_set_ratio_a,
           robots::ArmTrajectoryJSetRatioAArguments> trajectory_j_set_ratio_a{
-      *this, static_cast<std::uint16_t>(Id::trajectory_j_set_ratio_a)};
-  /// Is the smaller of the two below.
+      *this, Id::trajectory_j_set_ratio_a};
+  /// Says the smaller of trajectory_j_ratio_v and trajectory_j_ratio_a.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::trajectory_j_ratio, double> trajectory_j_ratio{
-      *this, static_cast<std::uint16_t>(Id::trajectory_j_ratio)};
+      *this, Id::trajectory_j_ratio};
+  /// Says what trajectory_j_set_ratio_v has set.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::trajectory_j_ratio_v, double> trajectory_j_ratio_v{
-      *this, static_cast<std::uint16_t>(Id::trajectory_j_ratio_v)};
+      *this, Id::trajectory_j_ratio_v};
+  /// Says what trajectory_j_set_ratio_a has set.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::trajectory_j_ratio_a, double> trajectory_j_ratio_a{
-      *this, static_cast<std::uint16_t>(Id::trajectory_j_ratio_a)};
-  /// Computes the pose of the link behind as many joints as the vector has, at most all; without
-  /// any, that of the base.
+      *this, Id::trajectory_j_ratio_a};
+  /// Computes the pose of link n for a vector of n joints, at most all of them; that of the base
+  /// for an empty one.
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::query_cp, robots::ArmQueryCpArguments,
-                       robots::PoseStampedSlot> query_cp{
-      *this, static_cast<std::uint16_t>(Id::query_cp)};
-  /// Computes the same in the arm's base frame.
+                       robots::PoseStampedSlot> query_cp{*this, Id::query_cp};
+  /// Computes what query_cp does, in the arm's base frame.
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::local_query_cp, robots::ArmLocalQueryCpArguments,
-                       robots::PoseStampedSlot> local_query_cp{
-      *this, static_cast<std::uint16_t>(Id::local_query_cp)};
+                       robots::PoseStampedSlot> local_query_cp{*this, Id::local_query_cp};
 
   /// Subscribes to the events of robots::Arm.
   struct Events : Required<suture::Messages>::Events {
     explicit Events(RequiredBase& required)
         : Required<suture::Messages>::Events(required),
-          operating_state{required, static_cast<std::uint16_t>(EventId::operating_state)},
-          goal_reached{required, static_cast<std::uint16_t>(EventId::goal_reached)},
-          desired_state{required, static_cast<std::uint16_t>(EventId::desired_state)},
-          gravity_compensation{required, static_cast<std::uint16_t>(EventId::gravity_compensation)},
-          trajectory_j_ratio{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio)},
-          trajectory_j_ratio_v{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_v)},
-          trajectory_j_ratio_a{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_a)} {}
+          operating_state{required, EventId::operating_state},
+          goal_reached{required, EventId::goal_reached},
+          desired_state{required, EventId::desired_state},
+          gravity_compensation{required, EventId::gravity_compensation},
+          trajectory_j_ratio{required, EventId::trajectory_j_ratio},
+          trajectory_j_ratio_v{required, EventId::trajectory_j_ratio_v},
+          trajectory_j_ratio_a{required, EventId::trajectory_j_ratio_a} {}
 
     /// Reports each change of the operating state, and the last one to a client that connects.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<robots::OperatingStateSlot, robots::OperatingState> operating_state;
-    /// Reports the end of a move: true at its goal, false if something else replaced it.
+    /// Reports the end of a move: true at its goal, false if anything else ended it.
+    /// At a subscriber up to 16 wait.
     Subscription<std::uint8_t, bool> goal_reached;
     /// Reports the state that a command asked for.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, robots::ArmState> desired_state;
+    /// Reports what use_gravity_compensation has set.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, bool> gravity_compensation;
+    /// Reports a change of the fraction that trajectory_j_ratio says.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<double, double> trajectory_j_ratio;
+    /// Reports a change of the fraction of the velocity limits.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<double, double> trajectory_j_ratio_v;
+    /// Reports a change of the fraction of the acceleration limits.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<double, double> trajectory_j_ratio_a;
   };
   Events& on() { return events_; }
@@ -544,23 +633,27 @@ class Provided<robots::Arm> : public Provided<suture::Messages> {
   struct Events : Provided<suture::Messages>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<suture::Messages>::Events(provided),
-          operating_state{provided, static_cast<std::uint16_t>(EventId::operating_state)},
-          goal_reached{provided, static_cast<std::uint16_t>(EventId::goal_reached)},
-          desired_state{provided, static_cast<std::uint16_t>(EventId::desired_state)},
-          gravity_compensation{provided, static_cast<std::uint16_t>(EventId::gravity_compensation)},
-          trajectory_j_ratio{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio)},
-          trajectory_j_ratio_v{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_v)},
-          trajectory_j_ratio_a{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_a)} {}
+          operating_state{provided, EventId::operating_state},
+          goal_reached{provided, EventId::goal_reached},
+          desired_state{provided, EventId::desired_state},
+          gravity_compensation{provided, EventId::gravity_compensation},
+          trajectory_j_ratio{provided, EventId::trajectory_j_ratio},
+          trajectory_j_ratio_v{provided, EventId::trajectory_j_ratio_v},
+          trajectory_j_ratio_a{provided, EventId::trajectory_j_ratio_a} {}
 
     /// Reports each change of the operating state, and the last one to a client that connects.
     Emitter<robots::OperatingStateSlot, robots::OperatingState> operating_state;
-    /// Reports the end of a move: true at its goal, false if something else replaced it.
+    /// Reports the end of a move: true at its goal, false if anything else ended it.
     Emitter<std::uint8_t, bool> goal_reached;
     /// Reports the state that a command asked for.
     Emitter<std::uint8_t, robots::ArmState> desired_state;
+    /// Reports what use_gravity_compensation has set.
     Emitter<std::uint8_t, bool> gravity_compensation;
+    /// Reports a change of the fraction that trajectory_j_ratio says.
     Emitter<double, double> trajectory_j_ratio;
+    /// Reports a change of the fraction of the velocity limits.
     Emitter<double, double> trajectory_j_ratio_v;
+    /// Reports a change of the fraction of the acceleration limits.
     Emitter<double, double> trajectory_j_ratio_a;
   };
   Events& emit() { return events_; }

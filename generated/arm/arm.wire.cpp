@@ -844,7 +844,7 @@ suture::Errc decodeArmTrajectoryJRatioAColumn(wire::ArmStateRow::Reader in, doub
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow::Builder out) {
-  switch (static_cast<ArmColumn>(column)) {
+  switch (column) {
     case ArmColumn::measured_js:
       return encodeArmMeasuredJsColumn(suture::slotIn<JointStateSlot>(memory), out);
     case ArmColumn::setpoint_js:
@@ -893,7 +893,7 @@ void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow
 }
 suture::Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std::byte* memory,
                              suture::Duration shift) {
-  switch (static_cast<ArmColumn>(column)) {
+  switch (column) {
     case ArmColumn::measured_js:
       return decodeArmMeasuredJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
     case ArmColumn::setpoint_js:

@@ -23,13 +23,13 @@ constexpr suture::CommandInfo kGripperCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JointConfigurationSlot>,
      .depth = 16,
-     .column = static_cast<int>(GripperColumn::configuration_js),
+     .column = GripperColumn::configuration_js,
      .acceptsResult = suture::checkSlot<JointConfigurationSlot, isValid>},
     {.name = "measured_js",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(GripperColumn::measured_js),
+     .column = GripperColumn::measured_js,
      .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
      .shiftResult = suture::shiftSlot<JointStateSlot>},
 };
@@ -58,7 +58,7 @@ constexpr char kGripperDescription[] = R"json(
 "wire": "universal"}, {"name": "BallSocket", "value": 4, "wire": "ballSocket"}, {
 "name": "Inactive", "value": 5, "wire": "inactive"}]}], "structs": [{
 "name": "robots::JointConfiguration",
-"doc": "Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.",
+"doc": "Says what the joints are and what they may do, for CRTK's configuration_js. Corresponds to\ncisst's prmConfigurationJoint.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
 "name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "wire": "positionMin",
@@ -154,7 +154,7 @@ struct Provided<robots::Gripper>::Dispatch {
 Errc Provided<robots::Gripper>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                         std::byte* result) {
   using ::robots::GripperCommand;
-  switch (static_cast<GripperCommand>(command)) {
+  switch (command) {
     case GripperCommand::configuration_js:
       return Dispatch::execute_configuration_js(implementation_, result);
     case GripperCommand::measured_js: return Dispatch::execute_measured_js(implementation_, result);

@@ -1,4 +1,7 @@
 // Written by suturec from arm/gripper.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. gripper.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -13,21 +16,27 @@
 
 namespace robots {
 
-/// Names the numbers of Gripper's commands in every table and record.
-enum class GripperCommand : std::uint16_t {
-  configuration_js,
-  measured_js,
+/// Numbers the commands of Gripper.
+struct GripperCommand {
+  enum : std::uint16_t {
+    configuration_js,
+    measured_js,
+  };
 };
 
-/// Names the numbers of Gripper's events.
-enum class GripperEvent : std::uint16_t {
-  closed,
+/// Numbers the events of Gripper.
+struct GripperEvent {
+  enum : std::uint16_t {
+    closed,
+  };
 };
 
-/// Names where a row of the state has each read of Gripper.
-enum class GripperColumn : std::uint16_t {
-  configuration_js,
-  measured_js,
+/// Numbers the reads of Gripper as a row of the state has them.
+struct GripperColumn {
+  enum : std::uint16_t {
+    configuration_js,
+    measured_js,
+  };
 };
 
 }  // namespace robots
@@ -49,20 +58,22 @@ class Required<robots::Gripper> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Says what the joint is and what it may do.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
-      *this, static_cast<std::uint16_t>(Id::configuration_js)};
+      *this, Id::configuration_js};
   /// Says where the joint is. The stamp is that of the drives' cycle that measured it. It is not
   /// valid before there was one.
-  ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
-      *this, static_cast<std::uint16_t>(Id::measured_js)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{*this, Id::measured_js};
 
   /// Subscribes to the events of robots::Gripper.
   struct Events {
     explicit Events(RequiredBase& required)
-        : closed{required, static_cast<std::uint16_t>(EventId::closed)} {}
+        : closed{required, EventId::closed} {}
 
     /// Reports if the gripper is closed, each time that this changes, and the last one to a client
     /// that connects: dVRK's gripper/closed.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, bool> closed;
   };
   Events& on() { return events_; }
@@ -89,7 +100,7 @@ class Provided<robots::Gripper> : public ProvidedBase {
   /// Emits the events of robots::Gripper.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : closed{provided, static_cast<std::uint16_t>(EventId::closed)} {}
+        : closed{provided, EventId::closed} {}
 
     /// Reports if the gripper is closed, each time that this changes, and the last one to a client
     /// that connects: dVRK's gripper/closed.

@@ -78,7 +78,7 @@ suture::Errc decodeGripperMeasuredJsColumn(wire::GripperStateRow::Reader in, Joi
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeGripperColumn(unsigned column, const std::byte* memory,
                          wire::GripperStateRow::Builder out) {
-  switch (static_cast<GripperColumn>(column)) {
+  switch (column) {
     case GripperColumn::configuration_js:
       return encodeGripperConfigurationJsColumn(suture::slotIn<JointConfigurationSlot>(memory),
                                                 out);
@@ -88,7 +88,7 @@ void encodeGripperColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned column,
                                  std::byte* memory, suture::Duration shift) {
-  switch (static_cast<GripperColumn>(column)) {
+  switch (column) {
     case GripperColumn::configuration_js:
       return decodeGripperConfigurationJsColumn(in, suture::newSlot<JointConfigurationSlot>(memory),
                                                 shift);

@@ -55,20 +55,20 @@ constexpr suture::CommandInfo kJawCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JointConfigurationSlot>,
      .depth = 16,
-     .column = static_cast<int>(JawColumn::configuration_js),
+     .column = JawColumn::configuration_js,
      .acceptsResult = suture::checkSlot<JointConfigurationSlot, isValid>},
     {.name = "measured_js",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(JawColumn::measured_js),
+     .column = JawColumn::measured_js,
      .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
      .shiftResult = suture::shiftSlot<JointStateSlot>},
     {.name = "setpoint_js",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(JawColumn::setpoint_js),
+     .column = JawColumn::setpoint_js,
      .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
      .shiftResult = suture::shiftSlot<JointStateSlot>},
     {.name = "servo_jp",
@@ -142,7 +142,7 @@ constexpr char kJawDescription[] = R"json(
 "wire": "revolute"}, {"name": "Universal", "value": 3, "wire": "universal"}, {"name": "BallSocket",
 "value": 4, "wire": "ballSocket"}, {"name": "Inactive", "value": 5, "wire": "inactive"}]}],
 "structs": [{"name": "robots::JointConfiguration",
-"doc": "Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.",
+"doc": "Says what the joints are and what they may do, for CRTK's configuration_js. Corresponds to\ncisst's prmConfigurationJoint.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
 "name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "wire": "positionMin",
@@ -171,8 +171,9 @@ constexpr char kJawDescription[] = R"json(
 "fields": [{"name": "position", "doc": "Has one entry for each joint, in chain order.", "type": {
 "kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "stamp",
 "type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointEffortGoal",
-"doc": "CRTK's servo_jf: prmForceTorqueJointSet.", "fields": [{"name": "effort", "type": {
-"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "mask",
+"doc": "Is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.", "fields": [
+{"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "N.m"}, {"name": "mask",
 "doc": "Is optional, and says which joints count; if it is empty, all do.", "type": {
 "kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "suture::Message", "fields": [{"name": "text",
@@ -328,7 +329,7 @@ struct Provided<robots::Jaw>::Dispatch {
 Errc Provided<robots::Jaw>::execute(std::uint16_t command, const std::byte* arguments,
                                     std::byte* result) {
   using ::robots::JawCommand;
-  switch (static_cast<JawCommand>(command)) {
+  switch (command) {
     case JawCommand::configuration_js:
       return Dispatch::execute_configuration_js(implementation_, result);
     case JawCommand::measured_js: return Dispatch::execute_measured_js(implementation_, result);

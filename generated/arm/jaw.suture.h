@@ -1,4 +1,7 @@
 // Written by suturec from arm/jaw.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. jaw.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -37,26 +40,32 @@ struct JawMoveJpArguments {
 bool store(const JointGoal& goal, JawMoveJpArguments& slot);
 void shiftStamps(JawMoveJpArguments& slot, suture::Duration shift);
 
-/// Names the numbers of Jaw's commands in every table and record.
-enum class JawCommand : std::uint16_t {
-  configuration_js,
-  measured_js,
-  setpoint_js,
-  servo_jp,
-  servo_jf,
-  move_jp,
+/// Numbers the commands of Jaw.
+struct JawCommand {
+  enum : std::uint16_t {
+    configuration_js,
+    measured_js,
+    setpoint_js,
+    servo_jp,
+    servo_jf,
+    move_jp,
+  };
 };
 
-/// Names the numbers of Jaw's own events.
-enum class JawEvent : std::uint16_t {
-  goal_reached = 3,
+/// Numbers the events of Jaw, behind those that it inherits.
+struct JawEvent {
+  enum : std::uint16_t {
+    goal_reached = 3,
+  };
 };
 
-/// Names where a row of the state has each read of Jaw.
-enum class JawColumn : std::uint16_t {
-  configuration_js,
-  measured_js,
-  setpoint_js,
+/// Numbers the reads of Jaw as a row of the state has them.
+struct JawColumn {
+  enum : std::uint16_t {
+    configuration_js,
+    measured_js,
+    setpoint_js,
+  };
 };
 
 }  // namespace robots
@@ -79,34 +88,38 @@ class Required<robots::Jaw> : public Required<suture::Messages> {
 
   /// Says what the joint is and what it may do. Its effort limit is published
   /// (LARGE_NEEDLE_DRIVER_400006.json); its acceleration limit, which is that of moves, is not.
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
-      *this, static_cast<std::uint16_t>(Id::configuration_js)};
+      *this, Id::configuration_js};
   /// Says where the joint is. The stamp is that of the drives' cycle that measured it.
-  ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
-      *this, static_cast<std::uint16_t>(Id::measured_js)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{*this, Id::measured_js};
   /// Says where the joint shall be. The effort is that of servo_jf, else 0.
-  ReadCommand<&Contract::setpoint_js, robots::JointStateSlot> setpoint_js{
-      *this, static_cast<std::uint16_t>(Id::setpoint_js)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::setpoint_js, robots::JointStateSlot> setpoint_js{*this, Id::setpoint_js};
   /// Streams goals, newest wins. The set-point goes there no faster than the joint can; a goal
   /// beyond a limit leads only to the limit.
-  Command<&Contract::servo_jp, robots::JawServoJpArguments> servo_jp{
-      *this, static_cast<std::uint16_t>(Id::servo_jp)};
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
+  Command<&Contract::servo_jp, robots::JawServoJpArguments> servo_jp{*this, Id::servo_jp};
   /// Streams efforts, newest wins; a negative one closes. The simulated jaw has no mass: an effort
   /// moves the set-point at a speed proportional to it.
-  Command<&Contract::servo_jf, robots::JawServoJfArguments> servo_jf{
-      *this, static_cast<std::uint16_t>(Id::servo_jf)};
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
+  Command<&Contract::servo_jf, robots::JawServoJfArguments> servo_jf{*this, Id::servo_jf};
   /// Plans and executes a smooth motion from the set-point and the velocity that it has. Ends with
   /// goal_reached.
-  Command<&Contract::move_jp, robots::JawMoveJpArguments> move_jp{
-      *this, static_cast<std::uint16_t>(Id::move_jp)};
+  /// Write: up to 16 wait.
+  Command<&Contract::move_jp, robots::JawMoveJpArguments> move_jp{*this, Id::move_jp};
 
   /// Subscribes to the events of robots::Jaw.
   struct Events : Required<suture::Messages>::Events {
     explicit Events(RequiredBase& required)
         : Required<suture::Messages>::Events(required),
-          goal_reached{required, static_cast<std::uint16_t>(EventId::goal_reached)} {}
+          goal_reached{required, EventId::goal_reached} {}
 
     /// Reports the end of a move: true at its goal, false if something else replaced it.
+    /// At a subscriber up to 16 wait.
     Subscription<std::uint8_t, bool> goal_reached;
   };
   Events& on() { return events_; }
@@ -134,7 +147,7 @@ class Provided<robots::Jaw> : public Provided<suture::Messages> {
   struct Events : Provided<suture::Messages>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<suture::Messages>::Events(provided),
-          goal_reached{provided, static_cast<std::uint16_t>(EventId::goal_reached)} {}
+          goal_reached{provided, EventId::goal_reached} {}
 
     /// Reports the end of a move: true at its goal, false if something else replaced it.
     Emitter<std::uint8_t, bool> goal_reached;

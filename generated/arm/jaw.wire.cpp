@@ -154,7 +154,7 @@ suture::Errc decodeJawSetpointJsColumn(wire::JawStateRow::Reader in, JointStateS
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeJawColumn(unsigned column, const std::byte* memory, wire::JawStateRow::Builder out) {
-  switch (static_cast<JawColumn>(column)) {
+  switch (column) {
     case JawColumn::configuration_js:
       return encodeJawConfigurationJsColumn(suture::slotIn<JointConfigurationSlot>(memory), out);
     case JawColumn::measured_js:
@@ -165,7 +165,7 @@ void encodeJawColumn(unsigned column, const std::byte* memory, wire::JawStateRow
 }
 suture::Errc decodeJawColumn(wire::JawStateRow::Reader in, unsigned column, std::byte* memory,
                              suture::Duration shift) {
-  switch (static_cast<JawColumn>(column)) {
+  switch (column) {
     case JawColumn::configuration_js:
       return decodeJawConfigurationJsColumn(in, suture::newSlot<JointConfigurationSlot>(memory),
                                             shift);

@@ -225,7 +225,7 @@ struct Provided<bench::SmallBlocks>::Dispatch {
 Errc Provided<bench::SmallBlocks>::execute(std::uint16_t command, const std::byte* arguments,
                                            std::byte* /*result*/) {
   using ::bench::SmallBlocksCommand;
-  switch (static_cast<SmallBlocksCommand>(command)) {
+  switch (command) {
     case SmallBlocksCommand::bounce:
       return Dispatch::execute_bounce(implementation_, scratch_, arguments);
   }
@@ -246,7 +246,7 @@ struct Provided<bench::LargeBlocks>::Dispatch {
 Errc Provided<bench::LargeBlocks>::execute(std::uint16_t command, const std::byte* arguments,
                                            std::byte* /*result*/) {
   using ::bench::LargeBlocksCommand;
-  switch (static_cast<LargeBlocksCommand>(command)) {
+  switch (command) {
     case LargeBlocksCommand::bounce:
       return Dispatch::execute_bounce(implementation_, scratch_, arguments);
   }

@@ -1,4 +1,7 @@
 // Written by suturec from bench/block_loop.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. block_loop.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -41,14 +44,18 @@ struct SmallBlocksBounceArguments {
 
 bool store(const SmallBlock& block, SmallBlocksBounceArguments& slot);
 
-/// Names the numbers of SmallBlocks's commands in every table and record.
-enum class SmallBlocksCommand : std::uint16_t {
-  bounce,
+/// Numbers the commands of SmallBlocks.
+struct SmallBlocksCommand {
+  enum : std::uint16_t {
+    bounce,
+  };
 };
 
-/// Names the numbers of SmallBlocks's events.
-enum class SmallBlocksEvent : std::uint16_t {
-  echo,
+/// Numbers the events of SmallBlocks.
+struct SmallBlocksEvent {
+  enum : std::uint16_t {
+    echo,
+  };
 };
 
 // --- LargeBlocks: the arguments of its commands ---
@@ -59,14 +66,18 @@ struct LargeBlocksBounceArguments {
 
 bool store(const LargeBlock& block, LargeBlocksBounceArguments& slot);
 
-/// Names the numbers of LargeBlocks's commands in every table and record.
-enum class LargeBlocksCommand : std::uint16_t {
-  bounce,
+/// Numbers the commands of LargeBlocks.
+struct LargeBlocksCommand {
+  enum : std::uint16_t {
+    bounce,
+  };
 };
 
-/// Names the numbers of LargeBlocks's events.
-enum class LargeBlocksEvent : std::uint16_t {
-  echo,
+/// Numbers the events of LargeBlocks.
+struct LargeBlocksEvent {
+  enum : std::uint16_t {
+    echo,
+  };
 };
 
 }  // namespace bench
@@ -98,14 +109,15 @@ class Required<bench::SmallBlocks> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Client, server, client: sends the block back as the event echo.
-  Command<&Contract::bounce, bench::SmallBlocksBounceArguments> bounce{
-      *this, static_cast<std::uint16_t>(Id::bounce)};
+  /// Write: up to 2 wait.
+  Command<&Contract::bounce, bench::SmallBlocksBounceArguments> bounce{*this, Id::bounce};
 
   /// Subscribes to the events of bench::SmallBlocks.
   struct Events {
     explicit Events(RequiredBase& required)
-        : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
+        : echo{required, EventId::echo} {}
 
+    /// At a subscriber up to 2 wait.
     Subscription<bench::SmallBlockSlot, bench::SmallBlock> echo;
   };
   Events& on() { return events_; }
@@ -132,7 +144,7 @@ class Provided<bench::SmallBlocks> : public ProvidedBase {
   /// Emits the events of bench::SmallBlocks.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}
+        : echo{provided, EventId::echo} {}
 
     Emitter<bench::SmallBlockSlot, bench::SmallBlock> echo;
   };
@@ -177,14 +189,15 @@ class Required<bench::LargeBlocks> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Client, server, client: sends the block back as the event echo.
-  Command<&Contract::bounce, bench::LargeBlocksBounceArguments> bounce{
-      *this, static_cast<std::uint16_t>(Id::bounce)};
+  /// Write: up to 2 wait.
+  Command<&Contract::bounce, bench::LargeBlocksBounceArguments> bounce{*this, Id::bounce};
 
   /// Subscribes to the events of bench::LargeBlocks.
   struct Events {
     explicit Events(RequiredBase& required)
-        : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
+        : echo{required, EventId::echo} {}
 
+    /// At a subscriber up to 2 wait.
     Subscription<bench::LargeBlockSlot, bench::LargeBlock> echo;
   };
   Events& on() { return events_; }
@@ -211,7 +224,7 @@ class Provided<bench::LargeBlocks> : public ProvidedBase {
   /// Emits the events of bench::LargeBlocks.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}
+        : echo{provided, EventId::echo} {}
 
     Emitter<bench::LargeBlockSlot, bench::LargeBlock> echo;
   };

@@ -59,7 +59,7 @@ constexpr suture::CommandInfo kLoopServerCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .column = static_cast<int>(LoopServerColumn::value),
+     .column = LoopServerColumn::value,
      .acceptsResult = suture::checkSlot<robots::PosePrmSlot, robots::isValid>,
      .shiftResult = suture::shiftSlot<robots::PosePrmSlot>},
 };
@@ -169,7 +169,7 @@ struct Provided<bench::LoopServer>::Dispatch {
 Errc Provided<bench::LoopServer>::execute(std::uint16_t command, const std::byte* arguments,
                                           std::byte* result) {
   using ::bench::LoopServerCommand;
-  switch (static_cast<LoopServerCommand>(command)) {
+  switch (command) {
     case LoopServerCommand::put: return Dispatch::execute_put(implementation_, scratch_, arguments);
     case LoopServerCommand::bounce:
       return Dispatch::execute_bounce(implementation_, scratch_, arguments);

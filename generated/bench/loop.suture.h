@@ -1,4 +1,7 @@
 // Written by suturec from bench/loop.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. loop.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -28,21 +31,27 @@ struct LoopServerBounceArguments {
 bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot);
 void shiftStamps(LoopServerBounceArguments& slot, suture::Duration shift);
 
-/// Names the numbers of LoopServer's commands in every table and record.
-enum class LoopServerCommand : std::uint16_t {
-  put,
-  bounce,
-  value,
+/// Numbers the commands of LoopServer.
+struct LoopServerCommand {
+  enum : std::uint16_t {
+    put,
+    bounce,
+    value,
+  };
 };
 
-/// Names the numbers of LoopServer's events.
-enum class LoopServerEvent : std::uint16_t {
-  echo,
+/// Numbers the events of LoopServer.
+struct LoopServerEvent {
+  enum : std::uint16_t {
+    echo,
+  };
 };
 
-/// Names where a row of the state has each read of LoopServer.
-enum class LoopServerColumn : std::uint16_t {
-  value,
+/// Numbers the reads of LoopServer as a row of the state has them.
+struct LoopServerColumn {
+  enum : std::uint16_t {
+    value,
+  };
 };
 
 }  // namespace bench
@@ -64,21 +73,22 @@ class Required<bench::LoopServer> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Server, client, server: takes back what value() answered and measures how long it was away.
-  Command<&Contract::put, bench::LoopServerPutArguments> put{
-      *this, static_cast<std::uint16_t>(Id::put)};
+  /// Write: up to 16 wait.
+  Command<&Contract::put, bench::LoopServerPutArguments> put{*this, Id::put};
   /// Client, server, client: sends the value back as the event echo.
-  Command<&Contract::bounce, bench::LoopServerBounceArguments> bounce{
-      *this, static_cast<std::uint16_t>(Id::bounce)};
+  /// Write: up to 16 wait.
+  Command<&Contract::bounce, bench::LoopServerBounceArguments> bounce{*this, Id::bounce};
   /// A pose, stamped when it is evaluated.
-  ReadCommand<&Contract::value, robots::PosePrmSlot> value{
-      *this, static_cast<std::uint16_t>(Id::value)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::value, robots::PosePrmSlot> value{*this, Id::value};
 
   /// Subscribes to the events of bench::LoopServer.
   struct Events {
     explicit Events(RequiredBase& required)
-        : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
+        : echo{required, EventId::echo} {}
 
     /// The value that bounce() took.
+    /// At a subscriber up to 16 wait.
     Subscription<robots::PosePrmSlot, robots::PosePrm> echo;
   };
   Events& on() { return events_; }
@@ -105,7 +115,7 @@ class Provided<bench::LoopServer> : public ProvidedBase {
   /// Emits the events of bench::LoopServer.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}
+        : echo{provided, EventId::echo} {}
 
     /// The value that bounce() took.
     Emitter<robots::PosePrmSlot, robots::PosePrm> echo;

@@ -68,14 +68,14 @@ suture::Errc decodeLoopServerValueColumn(wire::LoopServerStateRow::Reader in,
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeLoopServerColumn(unsigned column, const std::byte* memory,
                             wire::LoopServerStateRow::Builder out) {
-  switch (static_cast<LoopServerColumn>(column)) {
+  switch (column) {
     case LoopServerColumn::value:
       return encodeLoopServerValueColumn(suture::slotIn<robots::PosePrmSlot>(memory), out);
   }
 }
 suture::Errc decodeLoopServerColumn(wire::LoopServerStateRow::Reader in, unsigned column,
                                     std::byte* memory, suture::Duration shift) {
-  switch (static_cast<LoopServerColumn>(column)) {
+  switch (column) {
     case LoopServerColumn::value:
       return decodeLoopServerValueColumn(in, suture::newSlot<robots::PosePrmSlot>(memory), shift);
   }

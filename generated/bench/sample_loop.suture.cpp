@@ -59,7 +59,7 @@ constexpr suture::CommandInfo kSampleServerCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<robots::PoseSampleSlot>,
      .depth = 16,
-     .column = static_cast<int>(SampleServerColumn::value),
+     .column = SampleServerColumn::value,
      .acceptsResult = suture::checkSlot<robots::PoseSampleSlot, robots::isValid>,
      .shiftResult = suture::shiftSlot<robots::PoseSampleSlot>},
 };
@@ -157,7 +157,7 @@ struct Provided<bench::SampleServer>::Dispatch {
 Errc Provided<bench::SampleServer>::execute(std::uint16_t command, const std::byte* arguments,
                                             std::byte* result) {
   using ::bench::SampleServerCommand;
-  switch (static_cast<SampleServerCommand>(command)) {
+  switch (command) {
     case SampleServerCommand::put:
       return Dispatch::execute_put(implementation_, scratch_, arguments);
     case SampleServerCommand::bounce:

@@ -1,4 +1,7 @@
 // Written by suturec from bench/sample_loop.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. sample_loop.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -28,21 +31,27 @@ struct SampleServerBounceArguments {
 bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot);
 void shiftStamps(SampleServerBounceArguments& slot, suture::Duration shift);
 
-/// Names the numbers of SampleServer's commands in every table and record.
-enum class SampleServerCommand : std::uint16_t {
-  put,
-  bounce,
-  value,
+/// Numbers the commands of SampleServer.
+struct SampleServerCommand {
+  enum : std::uint16_t {
+    put,
+    bounce,
+    value,
+  };
 };
 
-/// Names the numbers of SampleServer's events.
-enum class SampleServerEvent : std::uint16_t {
-  echo,
+/// Numbers the events of SampleServer.
+struct SampleServerEvent {
+  enum : std::uint16_t {
+    echo,
+  };
 };
 
-/// Names where a row of the state has each read of SampleServer.
-enum class SampleServerColumn : std::uint16_t {
-  value,
+/// Numbers the reads of SampleServer as a row of the state has them.
+struct SampleServerColumn {
+  enum : std::uint16_t {
+    value,
+  };
 };
 
 }  // namespace bench
@@ -64,20 +73,21 @@ class Required<bench::SampleServer> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Counted by the provider.
-  Command<&Contract::put, bench::SampleServerPutArguments> put{
-      *this, static_cast<std::uint16_t>(Id::put)};
+  /// Write: up to 4096 wait.
+  Command<&Contract::put, bench::SampleServerPutArguments> put{*this, Id::put};
   /// Client, server, client: sends the value back as the event echo.
-  Command<&Contract::bounce, bench::SampleServerBounceArguments> bounce{
-      *this, static_cast<std::uint16_t>(Id::bounce)};
-  ReadCommand<&Contract::value, robots::PoseSampleSlot> value{
-      *this, static_cast<std::uint16_t>(Id::value)};
+  /// Write: up to 16 wait.
+  Command<&Contract::bounce, bench::SampleServerBounceArguments> bounce{*this, Id::bounce};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::value, robots::PoseSampleSlot> value{*this, Id::value};
 
   /// Subscribes to the events of bench::SampleServer.
   struct Events {
     explicit Events(RequiredBase& required)
-        : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
+        : echo{required, EventId::echo} {}
 
     /// The value that bounce() took.
+    /// At a subscriber up to 16 wait.
     Subscription<robots::PoseSampleSlot, robots::PoseSample> echo;
   };
   Events& on() { return events_; }
@@ -104,7 +114,7 @@ class Provided<bench::SampleServer> : public ProvidedBase {
   /// Emits the events of bench::SampleServer.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}
+        : echo{provided, EventId::echo} {}
 
     /// The value that bounce() took.
     Emitter<robots::PoseSampleSlot, robots::PoseSample> echo;

@@ -68,14 +68,14 @@ suture::Errc decodeSampleServerValueColumn(wire::SampleServerStateRow::Reader in
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeSampleServerColumn(unsigned column, const std::byte* memory,
                               wire::SampleServerStateRow::Builder out) {
-  switch (static_cast<SampleServerColumn>(column)) {
+  switch (column) {
     case SampleServerColumn::value:
       return encodeSampleServerValueColumn(suture::slotIn<robots::PoseSampleSlot>(memory), out);
   }
 }
 suture::Errc decodeSampleServerColumn(wire::SampleServerStateRow::Reader in, unsigned column,
                                       std::byte* memory, suture::Duration shift) {
-  switch (static_cast<SampleServerColumn>(column)) {
+  switch (column) {
     case SampleServerColumn::value:
       return decodeSampleServerValueColumn(in, suture::newSlot<robots::PoseSampleSlot>(memory),
                                            shift);

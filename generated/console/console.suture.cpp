@@ -59,7 +59,7 @@ constexpr suture::CommandInfo kConsoleCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
-     .column = static_cast<int>(ConsoleColumn::console_state),
+     .column = ConsoleColumn::console_state,
      .acceptsResult = suture::checkSlot<std::uint8_t, acceptsConsoleConsoleStateResult>},
 };
 
@@ -193,7 +193,7 @@ struct Provided<robots::Console>::Dispatch {
 Errc Provided<robots::Console>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::robots::ConsoleCommand;
-  switch (static_cast<ConsoleCommand>(command)) {
+  switch (command) {
     case ConsoleCommand::bring_up: return Dispatch::execute_bring_up(implementation_);
     case ConsoleCommand::bring_down: return Dispatch::execute_bring_down(implementation_);
     case ConsoleCommand::console_state:

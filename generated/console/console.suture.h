@@ -1,4 +1,7 @@
 // Written by suturec from console/console.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. console.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -14,21 +17,27 @@ namespace robots {
 
 bool isKnownConsoleState(std::uint8_t slot);
 
-/// Names the numbers of Console's commands in every table and record.
-enum class ConsoleCommand : std::uint16_t {
-  bring_up,
-  bring_down,
-  console_state,
+/// Numbers the commands of Console.
+struct ConsoleCommand {
+  enum : std::uint16_t {
+    bring_up,
+    bring_down,
+    console_state,
+  };
 };
 
-/// Names the numbers of Console's own events.
-enum class ConsoleEvent : std::uint16_t {
-  console_state = 3,
+/// Numbers the events of Console, behind those that it inherits.
+struct ConsoleEvent {
+  enum : std::uint16_t {
+    console_state = 3,
+  };
 };
 
-/// Names where a row of the state has each read of Console.
-enum class ConsoleColumn : std::uint16_t {
-  console_state,
+/// Numbers the reads of Console as a row of the state has them.
+struct ConsoleColumn {
+  enum : std::uint16_t {
+    console_state,
+  };
 };
 
 }  // namespace robots
@@ -51,20 +60,22 @@ class Required<robots::Console> : public Required<suture::Messages> {
 
   /// Brings the system up. It is refused, with an error that names each reason, unless the console
   /// is down, every part of the system is there, and the emergency stop is released.
-  Command<&Contract::bring_up, NoSlot> bring_up{*this, static_cast<std::uint16_t>(Id::bring_up)};
+  /// Void: up to 16 wait.
+  Command<&Contract::bring_up, NoSlot> bring_up{*this, Id::bring_up};
   /// Disables everything in the opposite order, even while the system is being brought up.
-  Command<&Contract::bring_down, NoSlot> bring_down{
-      *this, static_cast<std::uint16_t>(Id::bring_down)};
-  ReadCommand<&Contract::console_state, std::uint8_t> console_state{
-      *this, static_cast<std::uint16_t>(Id::console_state)};
+  /// Void: up to 16 wait.
+  Command<&Contract::bring_down, NoSlot> bring_down{*this, Id::bring_down};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::console_state, std::uint8_t> console_state{*this, Id::console_state};
 
   /// Subscribes to the events of robots::Console.
   struct Events : Required<suture::Messages>::Events {
     explicit Events(RequiredBase& required)
         : Required<suture::Messages>::Events(required),
-          console_state{required, static_cast<std::uint16_t>(EventId::console_state)} {}
+          console_state{required, EventId::console_state} {}
 
     /// Reports each change, and the last one to a client that connects.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, robots::ConsoleState> console_state;
   };
   Events& on() { return events_; }
@@ -92,7 +103,7 @@ class Provided<robots::Console> : public Provided<suture::Messages> {
   struct Events : Provided<suture::Messages>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<suture::Messages>::Events(provided),
-          console_state{provided, static_cast<std::uint16_t>(EventId::console_state)} {}
+          console_state{provided, EventId::console_state} {}
 
     /// Reports each change, and the last one to a client that connects.
     Emitter<std::uint8_t, robots::ConsoleState> console_state;

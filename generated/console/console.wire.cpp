@@ -108,14 +108,14 @@ suture::Errc decodeConsoleConsoleStateColumn(wire::ConsoleStateRow::Reader in, s
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeConsoleColumn(unsigned column, const std::byte* memory,
                          wire::ConsoleStateRow::Builder out) {
-  switch (static_cast<ConsoleColumn>(column)) {
+  switch (column) {
     case ConsoleColumn::console_state:
       return encodeConsoleConsoleStateColumn(suture::slotIn<std::uint8_t>(memory), out);
   }
 }
 suture::Errc decodeConsoleColumn(wire::ConsoleStateRow::Reader in, unsigned column,
                                  std::byte* memory, suture::Duration shift) {
-  switch (static_cast<ConsoleColumn>(column)) {
+  switch (column) {
     case ConsoleColumn::console_state:
       return decodeConsoleConsoleStateColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
   }

@@ -75,7 +75,7 @@ constexpr suture::CommandInfo kEmergencyStopCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PermitSlot>,
      .depth = 16,
-     .column = static_cast<int>(EmergencyStopColumn::permit),
+     .column = EmergencyStopColumn::permit,
      .acceptsResult = suture::checkSlot<PermitSlot, isValid>,
      .shiftResult = suture::shiftSlot<PermitSlot>},
 };
@@ -168,7 +168,7 @@ struct Provided<robots::EmergencyStop>::Dispatch {
 Errc Provided<robots::EmergencyStop>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                               std::byte* result) {
   using ::robots::EmergencyStopCommand;
-  switch (static_cast<EmergencyStopCommand>(command)) {
+  switch (command) {
     case EmergencyStopCommand::press: return Dispatch::execute_press(implementation_);
     case EmergencyStopCommand::release: return Dispatch::execute_release(implementation_);
     case EmergencyStopCommand::permit: return Dispatch::execute_permit(implementation_, result);

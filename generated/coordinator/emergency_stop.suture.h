@@ -1,4 +1,7 @@
 // Written by suturec from coordinator/emergency_stop.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. emergency_stop.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -36,21 +39,27 @@ void shiftStamps(StopNewsSlot& slot, suture::Duration shift);
 bool isValid(const PermitSlot& slot, suture::FieldPath* path);
 bool isValid(const StopNewsSlot& slot, suture::FieldPath* path);
 
-/// Names the numbers of EmergencyStop's commands in every table and record.
-enum class EmergencyStopCommand : std::uint16_t {
-  press,
-  release,
-  permit,
+/// Numbers the commands of EmergencyStop.
+struct EmergencyStopCommand {
+  enum : std::uint16_t {
+    press,
+    release,
+    permit,
+  };
 };
 
-/// Names the numbers of EmergencyStop's events.
-enum class EmergencyStopEvent : std::uint16_t {
-  stop,
+/// Numbers the events of EmergencyStop.
+struct EmergencyStopEvent {
+  enum : std::uint16_t {
+    stop,
+  };
 };
 
-/// Names where a row of the state has each read of EmergencyStop.
-enum class EmergencyStopColumn : std::uint16_t {
-  permit,
+/// Numbers the reads of EmergencyStop as a row of the state has them.
+struct EmergencyStopColumn {
+  enum : std::uint16_t {
+    permit,
+  };
 };
 
 }  // namespace robots
@@ -82,20 +91,23 @@ class Required<robots::EmergencyStop> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Stops all drives. None has power until release().
-  Command<&Contract::press, NoSlot> press{*this, static_cast<std::uint16_t>(Id::press)};
+  /// Void: up to 16 wait.
+  Command<&Contract::press, NoSlot> press{*this, Id::press};
   /// Lets drives have power again, which an operator must have decided. Arms stay disabled until
   /// somebody enables them, such as a console that brings its system up by itself.
-  Command<&Contract::release, NoSlot> release{*this, static_cast<std::uint16_t>(Id::release)};
+  /// Void: up to 16 wait.
+  Command<&Contract::release, NoSlot> release{*this, Id::release};
   /// Is renewed in each cycle.
-  ReadCommand<&Contract::permit, robots::PermitSlot> permit{
-      *this, static_cast<std::uint16_t>(Id::permit)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::permit, robots::PermitSlot> permit{*this, Id::permit};
 
   /// Subscribes to the events of robots::EmergencyStop.
   struct Events {
     explicit Events(RequiredBase& required)
-        : stop{required, static_cast<std::uint16_t>(EventId::stop)} {}
+        : stop{required, EventId::stop} {}
 
     /// Reports each press and each release, and the last one to a client that connects.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<robots::StopNewsSlot, robots::StopNews> stop;
   };
   Events& on() { return events_; }
@@ -122,7 +134,7 @@ class Provided<robots::EmergencyStop> : public ProvidedBase {
   /// Emits the events of robots::EmergencyStop.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : stop{provided, static_cast<std::uint16_t>(EventId::stop)} {}
+        : stop{provided, EventId::stop} {}
 
     /// Reports each press and each release, and the last one to a client that connects.
     Emitter<robots::StopNewsSlot, robots::StopNews> stop;

@@ -69,14 +69,14 @@ suture::Errc decodeEmergencyStopPermitColumn(wire::EmergencyStopStateRow::Reader
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeEmergencyStopColumn(unsigned column, const std::byte* memory,
                                wire::EmergencyStopStateRow::Builder out) {
-  switch (static_cast<EmergencyStopColumn>(column)) {
+  switch (column) {
     case EmergencyStopColumn::permit:
       return encodeEmergencyStopPermitColumn(suture::slotIn<PermitSlot>(memory), out);
   }
 }
 suture::Errc decodeEmergencyStopColumn(wire::EmergencyStopStateRow::Reader in, unsigned column,
                                        std::byte* memory, suture::Duration shift) {
-  switch (static_cast<EmergencyStopColumn>(column)) {
+  switch (column) {
     case EmergencyStopColumn::permit:
       return decodeEmergencyStopPermitColumn(in, suture::newSlot<PermitSlot>(memory), shift);
   }

@@ -140,7 +140,7 @@ constexpr suture::CommandInfo kDrivesCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<DriveFeedbackSlot>,
      .depth = 16,
-     .column = static_cast<int>(DrivesColumn::feedback),
+     .column = DrivesColumn::feedback,
      .acceptsResult = suture::checkSlot<DriveFeedbackSlot, isValid>,
      .shiftResult = suture::shiftSlot<DriveFeedbackSlot>},
 };
@@ -277,7 +277,7 @@ struct Provided<robots::Drives>::Dispatch {
 Errc Provided<robots::Drives>::execute(std::uint16_t command, const std::byte* arguments,
                                        std::byte* result) {
   using ::robots::DrivesCommand;
-  switch (static_cast<DrivesCommand>(command)) {
+  switch (command) {
     case DrivesCommand::power_on:
       return Dispatch::execute_power_on(implementation_, scratch_, arguments);
     case DrivesCommand::power_off: return Dispatch::execute_power_off(implementation_);

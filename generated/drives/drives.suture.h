@@ -1,4 +1,7 @@
 // Written by suturec from drives/drives.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. drives.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -59,22 +62,28 @@ struct DrivesServoJpArguments {
 
 bool store(const DriveGoal& goal, DrivesServoJpArguments& slot);
 
-/// Names the numbers of Drives's commands in every table and record.
-enum class DrivesCommand : std::uint16_t {
-  power_on,
-  power_off,
-  servo_jp,
-  feedback,
+/// Numbers the commands of Drives.
+struct DrivesCommand {
+  enum : std::uint16_t {
+    power_on,
+    power_off,
+    servo_jp,
+    feedback,
+  };
 };
 
-/// Names the numbers of Drives's events.
-enum class DrivesEvent : std::uint16_t {
-  power,
+/// Numbers the events of Drives.
+struct DrivesEvent {
+  enum : std::uint16_t {
+    power,
+  };
 };
 
-/// Names where a row of the state has each read of Drives.
-enum class DrivesColumn : std::uint16_t {
-  feedback,
+/// Numbers the reads of Drives as a row of the state has them.
+struct DrivesColumn {
+  enum : std::uint16_t {
+    feedback,
+  };
 };
 
 }  // namespace robots
@@ -107,24 +116,27 @@ class Required<robots::Drives> : public RequiredBase {
 
   /// Releases the brakes. The joints hold where they are. `permitted` is that of the feedback that
   /// this answers: drives that have stopped since then, or may not have power, stay as they are.
-  Command<&Contract::power_on, robots::DrivesPowerOnArguments> power_on{
-      *this, static_cast<std::uint16_t>(Id::power_on)};
+  /// Write: up to 16 wait.
+  Command<&Contract::power_on, robots::DrivesPowerOnArguments> power_on{*this, Id::power_on};
   /// Lets the brakes hold the joints where they are. The joints of an arm that has none sink by
   /// their weight.
-  Command<&Contract::power_off, NoSlot> power_off{*this, static_cast<std::uint16_t>(Id::power_off)};
+  /// Void: up to 16 wait.
+  Command<&Contract::power_off, NoSlot> power_off{*this, Id::power_off};
   /// Streams goals, newest wins. Without power, or with the wrong number of joints, a goal changes
   /// nothing. A stream that falls silent for 0.1 s leaves the joints where they are.
-  Command<&Contract::servo_jp, robots::DrivesServoJpArguments> servo_jp{
-      *this, static_cast<std::uint16_t>(Id::servo_jp)};
-  ReadCommand<&Contract::feedback, robots::DriveFeedbackSlot> feedback{
-      *this, static_cast<std::uint16_t>(Id::feedback)};
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
+  Command<&Contract::servo_jp, robots::DrivesServoJpArguments> servo_jp{*this, Id::servo_jp};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::feedback, robots::DriveFeedbackSlot> feedback{*this, Id::feedback};
 
   /// Subscribes to the events of robots::Drives.
   struct Events {
     explicit Events(RequiredBase& required)
-        : power{required, static_cast<std::uint16_t>(EventId::power)} {}
+        : power{required, EventId::power} {}
 
     /// Reports each change, and the last one to a client that connects.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, robots::DrivePower> power;
   };
   Events& on() { return events_; }
@@ -151,7 +163,7 @@ class Provided<robots::Drives> : public ProvidedBase {
   /// Emits the events of robots::Drives.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : power{provided, static_cast<std::uint16_t>(EventId::power)} {}
+        : power{provided, EventId::power} {}
 
     /// Reports each change, and the last one to a client that connects.
     Emitter<std::uint8_t, robots::DrivePower> power;

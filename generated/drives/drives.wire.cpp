@@ -124,14 +124,14 @@ suture::Errc decodeDrivesFeedbackColumn(wire::DrivesStateRow::Reader in, DriveFe
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeDrivesColumn(unsigned column, const std::byte* memory,
                         wire::DrivesStateRow::Builder out) {
-  switch (static_cast<DrivesColumn>(column)) {
+  switch (column) {
     case DrivesColumn::feedback:
       return encodeDrivesFeedbackColumn(suture::slotIn<DriveFeedbackSlot>(memory), out);
   }
 }
 suture::Errc decodeDrivesColumn(wire::DrivesStateRow::Reader in, unsigned column, std::byte* memory,
                                 suture::Duration shift) {
-  switch (static_cast<DrivesColumn>(column)) {
+  switch (column) {
     case DrivesColumn::feedback:
       return decodeDrivesFeedbackColumn(in, suture::newSlot<DriveFeedbackSlot>(memory), shift);
   }

@@ -89,7 +89,7 @@ struct Provided<robots::GripperHand>::Dispatch {
 Errc Provided<robots::GripperHand>::execute(std::uint16_t command, const std::byte* arguments,
                                             std::byte* /*result*/) {
   using ::robots::GripperHandCommand;
-  switch (static_cast<GripperHandCommand>(command)) {
+  switch (command) {
     case GripperHandCommand::squeeze:
       return Dispatch::execute_squeeze(implementation_, scratch_, arguments);
   }

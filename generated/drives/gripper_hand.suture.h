@@ -1,4 +1,7 @@
 // Written by suturec from drives/gripper_hand.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. gripper_hand.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -19,9 +22,11 @@ struct GripperHandSqueezeArguments {
 
 bool store(const double& angle, GripperHandSqueezeArguments& slot);
 
-/// Names the numbers of GripperHand's commands in every table and record.
-enum class GripperHandCommand : std::uint16_t {
-  squeeze,
+/// Numbers the commands of GripperHand.
+struct GripperHandCommand {
+  enum : std::uint16_t {
+    squeeze,
+  };
 };
 
 }  // namespace robots
@@ -43,8 +48,9 @@ class Required<robots::GripperHand> : public RequiredBase {
 
   /// Makes the fingers press the handles to this angle, newest wins. It stays there until another
   /// one comes. The gripper follows with the lag of the drives, and no further than its stops.
-  Command<&Contract::squeeze, robots::GripperHandSqueezeArguments> squeeze{
-      *this, static_cast<std::uint16_t>(Id::squeeze)};
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 100 ms
+  /// ago. `angle` is in rad.
+  Command<&Contract::squeeze, robots::GripperHandSqueezeArguments> squeeze{*this, Id::squeeze};
 
  protected:
   // For contracts that derive from this one.

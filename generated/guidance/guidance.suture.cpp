@@ -89,13 +89,13 @@ constexpr suture::CommandInfo kGuidanceCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
-     .column = static_cast<int>(GuidanceColumn::guidance_state),
+     .column = GuidanceColumn::guidance_state,
      .acceptsResult = suture::checkSlot<std::uint8_t, acceptsGuidanceGuidanceStateResult>},
     {.name = "progress",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<GuidanceProgressSlot>,
      .depth = 16,
-     .column = static_cast<int>(GuidanceColumn::progress),
+     .column = GuidanceColumn::progress,
      .acceptsResult = suture::checkSlot<GuidanceProgressSlot, isValid>,
      .shiftResult = suture::shiftSlot<GuidanceProgressSlot>},
     {.name = "enable", .kind = suture::CommandKind::Void, .depth = 16},
@@ -217,7 +217,7 @@ struct Provided<robots::Guidance>::Dispatch {
 Errc Provided<robots::Guidance>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                          std::byte* result) {
   using ::robots::GuidanceCommand;
-  switch (static_cast<GuidanceCommand>(command)) {
+  switch (command) {
     case GuidanceCommand::guidance_state:
       return Dispatch::execute_guidance_state(implementation_, result);
     case GuidanceCommand::progress: return Dispatch::execute_progress(implementation_, result);

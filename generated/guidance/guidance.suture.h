@@ -1,4 +1,7 @@
 // Written by suturec from guidance/guidance.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. guidance.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -27,23 +30,29 @@ void shiftStamps(GuidanceProgressSlot& slot, suture::Duration shift);
 bool isKnownGuidanceState(std::uint8_t slot);
 bool isValid(const GuidanceProgressSlot& slot, suture::FieldPath* path);
 
-/// Names the numbers of Guidance's commands in every table and record.
-enum class GuidanceCommand : std::uint16_t {
-  guidance_state,
-  progress,
-  enable,
-  disable,
+/// Numbers the commands of Guidance.
+struct GuidanceCommand {
+  enum : std::uint16_t {
+    guidance_state,
+    progress,
+    enable,
+    disable,
+  };
 };
 
-/// Names the numbers of Guidance's events.
-enum class GuidanceEvent : std::uint16_t {
-  guidance_state,
+/// Numbers the events of Guidance.
+struct GuidanceEvent {
+  enum : std::uint16_t {
+    guidance_state,
+  };
 };
 
-/// Names where a row of the state has each read of Guidance.
-enum class GuidanceColumn : std::uint16_t {
-  guidance_state,
-  progress,
+/// Numbers the reads of Guidance as a row of the state has them.
+struct GuidanceColumn {
+  enum : std::uint16_t {
+    guidance_state,
+    progress,
+  };
 };
 
 }  // namespace robots
@@ -69,23 +78,26 @@ class Required<robots::Guidance> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  ReadCommand<&Contract::guidance_state, std::uint8_t> guidance_state{
-      *this, static_cast<std::uint16_t>(Id::guidance_state)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::guidance_state, std::uint8_t> guidance_state{*this, Id::guidance_state};
   /// Is updated even while the guide waits for something, as far as the knot has been seen.
-  ReadCommand<&Contract::progress, robots::GuidanceProgressSlot> progress{
-      *this, static_cast<std::uint16_t>(Id::progress)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::progress, robots::GuidanceProgressSlot> progress{*this, Id::progress};
   /// Enables and homes arms that are not, then guides. This also works after an arm was disabled or
   /// restarted. It does not enable an arm in FAULT: the operator who has removed the cause does.
-  Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
+  /// Void: up to 16 wait.
+  Command<&Contract::enable, NoSlot> enable{*this, Id::enable};
   /// Stops guiding. Both slaves hold.
-  Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
+  /// Void: up to 16 wait.
+  Command<&Contract::disable, NoSlot> disable{*this, Id::disable};
 
   /// Subscribes to the events of robots::Guidance.
   struct Events {
     explicit Events(RequiredBase& required)
-        : guidance_state{required, static_cast<std::uint16_t>(EventId::guidance_state)} {}
+        : guidance_state{required, EventId::guidance_state} {}
 
     /// Reports each change, and the last one to a client that connects.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, robots::GuidanceState> guidance_state;
   };
   Events& on() { return events_; }
@@ -112,7 +124,7 @@ class Provided<robots::Guidance> : public ProvidedBase {
   /// Emits the events of robots::Guidance.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : guidance_state{provided, static_cast<std::uint16_t>(EventId::guidance_state)} {}
+        : guidance_state{provided, EventId::guidance_state} {}
 
     /// Reports each change, and the last one to a client that connects.
     Emitter<std::uint8_t, robots::GuidanceState> guidance_state;

@@ -110,7 +110,7 @@ suture::Errc decodeGuidanceProgressColumn(wire::GuidanceStateRow::Reader in,
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeGuidanceColumn(unsigned column, const std::byte* memory,
                           wire::GuidanceStateRow::Builder out) {
-  switch (static_cast<GuidanceColumn>(column)) {
+  switch (column) {
     case GuidanceColumn::guidance_state:
       return encodeGuidanceGuidanceStateColumn(suture::slotIn<std::uint8_t>(memory), out);
     case GuidanceColumn::progress:
@@ -119,7 +119,7 @@ void encodeGuidanceColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeGuidanceColumn(wire::GuidanceStateRow::Reader in, unsigned column,
                                   std::byte* memory, suture::Duration shift) {
-  switch (static_cast<GuidanceColumn>(column)) {
+  switch (column) {
     case GuidanceColumn::guidance_state:
       return decodeGuidanceGuidanceStateColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
     case GuidanceColumn::progress:

@@ -36,7 +36,7 @@ constexpr suture::CommandInfo kTurntableCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .column = static_cast<int>(TurntableColumn::angle),
+     .column = TurntableColumn::angle,
      .acceptsResult = suture::checkSlot<double, acceptsTurntableAngleResult>},
 };
 
@@ -96,7 +96,7 @@ struct Provided<loadable::Turntable>::Dispatch {
 Errc Provided<loadable::Turntable>::execute(std::uint16_t command, const std::byte* arguments,
                                             std::byte* result) {
   using ::loadable::TurntableCommand;
-  switch (static_cast<TurntableCommand>(command)) {
+  switch (command) {
     case TurntableCommand::turn:
       return Dispatch::execute_turn(implementation_, scratch_, arguments);
     case TurntableCommand::angle: return Dispatch::execute_angle(implementation_, result);

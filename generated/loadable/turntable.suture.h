@@ -1,4 +1,7 @@
 // Written by suturec from loadable/turntable.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. turntable.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -19,15 +22,19 @@ struct TurntableTurnArguments {
 
 bool store(const double& angle, TurntableTurnArguments& slot);
 
-/// Names the numbers of Turntable's commands in every table and record.
-enum class TurntableCommand : std::uint16_t {
-  turn,
-  angle,
+/// Numbers the commands of Turntable.
+struct TurntableCommand {
+  enum : std::uint16_t {
+    turn,
+    angle,
+  };
 };
 
-/// Names where a row of the state has each read of Turntable.
-enum class TurntableColumn : std::uint16_t {
-  angle,
+/// Numbers the reads of Turntable as a row of the state has them.
+struct TurntableColumn {
+  enum : std::uint16_t {
+    angle,
+  };
 };
 
 }  // namespace loadable
@@ -47,9 +54,10 @@ class Required<loadable::Turntable> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  Command<&Contract::turn, loadable::TurntableTurnArguments> turn{
-      *this, static_cast<std::uint16_t>(Id::turn)};
-  ReadCommand<&Contract::angle, double> angle{*this, static_cast<std::uint16_t>(Id::angle)};
+  /// Write: up to 16 wait. `angle` is in rad.
+  Command<&Contract::turn, loadable::TurntableTurnArguments> turn{*this, Id::turn};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::angle, double> angle{*this, Id::angle};
 
  protected:
   // For contracts that derive from this one.

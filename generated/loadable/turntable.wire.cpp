@@ -45,14 +45,14 @@ suture::Errc decodeTurntableAngleColumn(wire::TurntableStateRow::Reader in, doub
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeTurntableColumn(unsigned column, const std::byte* memory,
                            wire::TurntableStateRow::Builder out) {
-  switch (static_cast<TurntableColumn>(column)) {
+  switch (column) {
     case TurntableColumn::angle:
       return encodeTurntableAngleColumn(suture::slotIn<double>(memory), out);
   }
 }
 suture::Errc decodeTurntableColumn(wire::TurntableStateRow::Reader in, unsigned column,
                                    std::byte* memory, suture::Duration shift) {
-  switch (static_cast<TurntableColumn>(column)) {
+  switch (column) {
     case TurntableColumn::angle:
       return decodeTurntableAngleColumn(in, suture::newSlot<double>(memory), shift);
   }

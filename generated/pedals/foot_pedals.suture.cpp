@@ -57,7 +57,7 @@ constexpr suture::CommandInfo kFootPedalsCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PedalStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(FootPedalsColumn::pedals),
+     .column = FootPedalsColumn::pedals,
      .acceptsResult = suture::checkSlot<PedalStateSlot, isValid>,
      .shiftResult = suture::shiftSlot<PedalStateSlot>},
 };
@@ -138,7 +138,7 @@ struct Provided<robots::FootPedals>::Dispatch {
 Errc Provided<robots::FootPedals>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                            std::byte* result) {
   using ::robots::FootPedalsCommand;
-  switch (static_cast<FootPedalsCommand>(command)) {
+  switch (command) {
     case FootPedalsCommand::pedals: return Dispatch::execute_pedals(implementation_, result);
   }
   return Errc::Invalid;

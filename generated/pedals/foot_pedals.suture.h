@@ -1,4 +1,7 @@
 // Written by suturec from pedals/foot_pedals.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. foot_pedals.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -27,21 +30,27 @@ void shiftStamps(PedalStateSlot& slot, suture::Duration shift);
 
 bool isValid(const PedalStateSlot& slot, suture::FieldPath* path);
 
-/// Names the numbers of FootPedals's commands in every table and record.
-enum class FootPedalsCommand : std::uint16_t {
-  pedals,
+/// Numbers the commands of FootPedals.
+struct FootPedalsCommand {
+  enum : std::uint16_t {
+    pedals,
+  };
 };
 
-/// Names the numbers of FootPedals's events.
-enum class FootPedalsEvent : std::uint16_t {
-  clutch,
-  camera,
-  coagulation,
+/// Numbers the events of FootPedals.
+struct FootPedalsEvent {
+  enum : std::uint16_t {
+    clutch,
+    camera,
+    coagulation,
+  };
 };
 
-/// Names where a row of the state has each read of FootPedals.
-enum class FootPedalsColumn : std::uint16_t {
-  pedals,
+/// Numbers the reads of FootPedals as a row of the state has them.
+struct FootPedalsColumn {
+  enum : std::uint16_t {
+    pedals,
+  };
 };
 
 }  // namespace robots
@@ -67,19 +76,22 @@ class Required<robots::FootPedals> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  ReadCommand<&Contract::pedals, robots::PedalStateSlot> pedals{
-      *this, static_cast<std::uint16_t>(Id::pedals)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::pedals, robots::PedalStateSlot> pedals{*this, Id::pedals};
 
   /// Subscribes to the events of robots::FootPedals.
   struct Events {
     explicit Events(RequiredBase& required)
-        : clutch{required, static_cast<std::uint16_t>(EventId::clutch)},
-          camera{required, static_cast<std::uint16_t>(EventId::camera)},
-          coagulation{required, static_cast<std::uint16_t>(EventId::coagulation)} {}
+        : clutch{required, EventId::clutch},
+          camera{required, EventId::camera},
+          coagulation{required, EventId::coagulation} {}
 
     /// Reports each press and release, and the present state to a client that connects.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, bool> clutch;
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, bool> camera;
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, bool> coagulation;
   };
   Events& on() { return events_; }
@@ -106,9 +118,9 @@ class Provided<robots::FootPedals> : public ProvidedBase {
   /// Emits the events of robots::FootPedals.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : clutch{provided, static_cast<std::uint16_t>(EventId::clutch)},
-          camera{provided, static_cast<std::uint16_t>(EventId::camera)},
-          coagulation{provided, static_cast<std::uint16_t>(EventId::coagulation)} {}
+        : clutch{provided, EventId::clutch},
+          camera{provided, EventId::camera},
+          coagulation{provided, EventId::coagulation} {}
 
     /// Reports each press and release, and the present state to a client that connects.
     Emitter<std::uint8_t, bool> clutch;

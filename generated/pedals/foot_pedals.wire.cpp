@@ -83,14 +83,14 @@ suture::Errc decodeFootPedalsPedalsColumn(wire::FootPedalsStateRow::Reader in, P
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeFootPedalsColumn(unsigned column, const std::byte* memory,
                             wire::FootPedalsStateRow::Builder out) {
-  switch (static_cast<FootPedalsColumn>(column)) {
+  switch (column) {
     case FootPedalsColumn::pedals:
       return encodeFootPedalsPedalsColumn(suture::slotIn<PedalStateSlot>(memory), out);
   }
 }
 suture::Errc decodeFootPedalsColumn(wire::FootPedalsStateRow::Reader in, unsigned column,
                                     std::byte* memory, suture::Duration shift) {
-  switch (static_cast<FootPedalsColumn>(column)) {
+  switch (column) {
     case FootPedalsColumn::pedals:
       return decodeFootPedalsPedalsColumn(in, suture::newSlot<PedalStateSlot>(memory), shift);
   }

@@ -51,7 +51,7 @@ constexpr suture::CommandInfo kOperatorPresenceCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PresenceSlot>,
      .depth = 16,
-     .column = static_cast<int>(OperatorPresenceColumn::presence),
+     .column = OperatorPresenceColumn::presence,
      .acceptsResult = suture::checkSlot<PresenceSlot, isValid>,
      .shiftResult = suture::shiftSlot<PresenceSlot>},
 };
@@ -121,7 +121,7 @@ Errc Provided<robots::OperatorPresence>::execute(std::uint16_t command,
                                                  const std::byte* /*arguments*/,
                                                  std::byte* result) {
   using ::robots::OperatorPresenceCommand;
-  switch (static_cast<OperatorPresenceCommand>(command)) {
+  switch (command) {
     case OperatorPresenceCommand::presence:
       return Dispatch::execute_presence(implementation_, result);
   }

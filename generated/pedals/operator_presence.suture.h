@@ -1,4 +1,7 @@
 // Written by suturec from pedals/operator_presence.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. operator_presence.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -24,19 +27,25 @@ void shiftStamps(PresenceSlot& slot, suture::Duration shift);
 
 bool isValid(const PresenceSlot& slot, suture::FieldPath* path);
 
-/// Names the numbers of OperatorPresence's commands in every table and record.
-enum class OperatorPresenceCommand : std::uint16_t {
-  presence,
+/// Numbers the commands of OperatorPresence.
+struct OperatorPresenceCommand {
+  enum : std::uint16_t {
+    presence,
+  };
 };
 
-/// Names the numbers of OperatorPresence's events.
-enum class OperatorPresenceEvent : std::uint16_t {
-  operator_present,
+/// Numbers the events of OperatorPresence.
+struct OperatorPresenceEvent {
+  enum : std::uint16_t {
+    operator_present,
+  };
 };
 
-/// Names where a row of the state has each read of OperatorPresence.
-enum class OperatorPresenceColumn : std::uint16_t {
-  presence,
+/// Numbers the reads of OperatorPresence as a row of the state has them.
+struct OperatorPresenceColumn {
+  enum : std::uint16_t {
+    presence,
+  };
 };
 
 }  // namespace robots
@@ -62,15 +71,16 @@ class Required<robots::OperatorPresence> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  ReadCommand<&Contract::presence, robots::PresenceSlot> presence{
-      *this, static_cast<std::uint16_t>(Id::presence)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::presence, robots::PresenceSlot> presence{*this, Id::presence};
 
   /// Subscribes to the events of robots::OperatorPresence.
   struct Events {
     explicit Events(RequiredBase& required)
-        : operator_present{required, static_cast<std::uint16_t>(EventId::operator_present)} {}
+        : operator_present{required, EventId::operator_present} {}
 
     /// Reports each change, and the present state to a client that connects.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, bool> operator_present;
   };
   Events& on() { return events_; }
@@ -97,7 +107,7 @@ class Provided<robots::OperatorPresence> : public ProvidedBase {
   /// Emits the events of robots::OperatorPresence.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : operator_present{provided, static_cast<std::uint16_t>(EventId::operator_present)} {}
+        : operator_present{provided, EventId::operator_present} {}
 
     /// Reports each change, and the present state to a client that connects.
     Emitter<std::uint8_t, bool> operator_present;

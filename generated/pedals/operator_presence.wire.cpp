@@ -61,7 +61,7 @@ suture::Errc decodeOperatorPresencePresenceColumn(wire::OperatorPresenceStateRow
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeOperatorPresenceColumn(unsigned column, const std::byte* memory,
                                   wire::OperatorPresenceStateRow::Builder out) {
-  switch (static_cast<OperatorPresenceColumn>(column)) {
+  switch (column) {
     case OperatorPresenceColumn::presence:
       return encodeOperatorPresencePresenceColumn(suture::slotIn<PresenceSlot>(memory), out);
   }
@@ -69,7 +69,7 @@ void encodeOperatorPresenceColumn(unsigned column, const std::byte* memory,
 suture::Errc decodeOperatorPresenceColumn(wire::OperatorPresenceStateRow::Reader in,
                                           unsigned column, std::byte* memory,
                                           suture::Duration shift) {
-  switch (static_cast<OperatorPresenceColumn>(column)) {
+  switch (column) {
     case OperatorPresenceColumn::presence:
       return decodeOperatorPresencePresenceColumn(in, suture::newSlot<PresenceSlot>(memory), shift);
   }

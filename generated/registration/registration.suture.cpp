@@ -77,7 +77,7 @@ constexpr suture::CommandInfo kRegistrationCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<SceneFramesSlot>,
      .depth = 16,
-     .column = static_cast<int>(RegistrationColumn::frames),
+     .column = RegistrationColumn::frames,
      .acceptsResult = suture::checkSlot<SceneFramesSlot, isValid>},
     {.name = "set_camera",
      .kind = suture::CommandKind::Write,
@@ -169,7 +169,7 @@ struct Provided<robots::Registration>::Dispatch {
 Errc Provided<robots::Registration>::execute(std::uint16_t command, const std::byte* arguments,
                                              std::byte* result) {
   using ::robots::RegistrationCommand;
-  switch (static_cast<RegistrationCommand>(command)) {
+  switch (command) {
     case RegistrationCommand::frames: return Dispatch::execute_frames(implementation_, result);
     case RegistrationCommand::set_camera:
       return Dispatch::execute_set_camera(implementation_, scratch_, arguments);

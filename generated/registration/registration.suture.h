@@ -1,4 +1,7 @@
 // Written by suturec from registration/registration.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. registration.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -37,15 +40,19 @@ struct RegistrationSetCameraArguments {
 
 bool store(const Eigen::Isometry3d& camera, RegistrationSetCameraArguments& slot);
 
-/// Names the numbers of Registration's commands in every table and record.
-enum class RegistrationCommand : std::uint16_t {
-  frames,
-  set_camera,
+/// Numbers the commands of Registration.
+struct RegistrationCommand {
+  enum : std::uint16_t {
+    frames,
+    set_camera,
+  };
 };
 
-/// Names where a row of the state has each read of Registration.
-enum class RegistrationColumn : std::uint16_t {
-  frames,
+/// Numbers the reads of Registration as a row of the state has them.
+struct RegistrationColumn {
+  enum : std::uint16_t {
+    frames,
+  };
 };
 
 }  // namespace robots
@@ -72,12 +79,13 @@ class Required<robots::Registration> : public RequiredBase {
 
   /// Are the frames as they were registered last; each rotation is one to 1e-6. Ask with
   /// `frames.at(stamp)` for those to which an image or a pose of that stamp belongs.
-  ReadCommand<&Contract::frames, robots::SceneFramesSlot> frames{
-      *this, static_cast<std::uint16_t>(Id::frames)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::frames, robots::SceneFramesSlot> frames{*this, Id::frames};
   /// Says that the left camera has been moved there. It is ignored, with a warning, unless its
   /// rotation is one.
+  /// Write: up to 16 wait. `camera` is in m.
   Command<&Contract::set_camera, robots::RegistrationSetCameraArguments> set_camera{
-      *this, static_cast<std::uint16_t>(Id::set_camera)};
+      *this, Id::set_camera};
 
  protected:
   // For contracts that derive from this one.

@@ -75,14 +75,14 @@ suture::Errc decodeRegistrationFramesColumn(wire::RegistrationStateRow::Reader i
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeRegistrationColumn(unsigned column, const std::byte* memory,
                               wire::RegistrationStateRow::Builder out) {
-  switch (static_cast<RegistrationColumn>(column)) {
+  switch (column) {
     case RegistrationColumn::frames:
       return encodeRegistrationFramesColumn(suture::slotIn<SceneFramesSlot>(memory), out);
   }
 }
 suture::Errc decodeRegistrationColumn(wire::RegistrationStateRow::Reader in, unsigned column,
                                       std::byte* memory, suture::Duration shift) {
-  switch (static_cast<RegistrationColumn>(column)) {
+  switch (column) {
     case RegistrationColumn::frames:
       return decodeRegistrationFramesColumn(in, suture::newSlot<SceneFramesSlot>(memory), shift);
   }

@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// Is a velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.
+/// Is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's prmVelocityCartesianGet.
 struct TwistSlot {
   std::array<double, 3> linear;   // Eigen::Vector3d, m/s
   std::array<double, 3> angular;  // Eigen::Vector3d, rad/s
@@ -22,7 +22,7 @@ bool store(const Twist& value, TwistSlot& slot);
 void load(const TwistSlot& slot, Twist& value);
 void shiftStamps(TwistSlot& slot, suture::Duration shift);
 
-/// Is a velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
+/// Is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's prmVelocityCartesianSet.
 struct TwistGoalSlot {
   std::array<double, 3> linear;                // Eigen::Vector3d, m/s
   std::array<double, 3> angular;               // Eigen::Vector3d, rad/s
@@ -36,7 +36,8 @@ bool store(const TwistGoal& value, TwistGoalSlot& slot);
 void load(const TwistGoalSlot& slot, TwistGoal& value);
 void shiftStamps(TwistGoalSlot& slot, suture::Duration shift);
 
-/// Is force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
+/// Is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to cisst's
+/// prmForceCartesianGet.
 struct WrenchSlot {
   std::array<double, 3> force;   // Eigen::Vector3d, N
   std::array<double, 3> torque;  // Eigen::Vector3d, N.m
@@ -51,7 +52,7 @@ bool store(const Wrench& value, WrenchSlot& slot);
 void load(const WrenchSlot& slot, Wrench& value);
 void shiftStamps(WrenchSlot& slot, suture::Duration shift);
 
-/// Is force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
+/// Is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's prmForceCartesianSet.
 struct WrenchGoalSlot {
   std::array<double, 3> force;   // Eigen::Vector3d, N
   std::array<double, 3> torque;  // Eigen::Vector3d, N.m
@@ -63,7 +64,8 @@ bool store(const WrenchGoal& value, WrenchGoalSlot& slot);
 void load(const WrenchGoalSlot& slot, WrenchGoal& value);
 void shiftStamps(WrenchGoalSlot& slot, suture::Duration shift);
 
-/// Is pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
+/// Is pose, velocity and force of one instant, as CRTK's measured_cs says it. Corresponds to
+/// cisst's prmStateCartesian.
 struct CartesianStateSlot {
   std::uint32_t moving_frame;
   std::uint32_t reference_frame;
@@ -82,7 +84,7 @@ bool store(const CartesianState& value, CartesianStateSlot& slot);
 void load(const CartesianStateSlot& slot, CartesianState& value);
 void shiftStamps(CartesianStateSlot& slot, suture::Duration shift);
 
-/// Is a pose to reach, and how to get there: prmPositionCartesianSet.
+/// Is a pose to reach, and how to get there. Corresponds to cisst's prmPositionCartesianSet.
 struct CartesianGoalSlot {
   std::array<double, 12> goal;                 // Eigen::Isometry3d, m
   std::array<double, 3> linear_velocity;       // Eigen::Vector3d, m/s
@@ -100,7 +102,8 @@ bool store(const CartesianGoal& value, CartesianGoalSlot& slot);
 void load(const CartesianGoalSlot& slot, CartesianGoal& value);
 void shiftStamps(CartesianGoalSlot& slot, suture::Duration shift);
 
-/// Has position, velocity and effort in one servo command: prmServoCartesian.
+/// Has position, velocity and effort in one servo command. Corresponds to cisst's
+/// prmServoCartesian.
 struct ServoCartesianSlot {
   std::array<double, 12> task_frame;       // Eigen::Isometry3d, m
   std::array<double, 12> position;         // Eigen::Isometry3d, m
@@ -139,7 +142,8 @@ struct AngularHalfPlaneGainsSlot {
 bool store(const AngularHalfPlaneGains& value, AngularHalfPlaneGainsSlot& slot);
 void load(const AngularHalfPlaneGainsSlot& slot, AngularHalfPlaneGains& value);
 
-/// Is a spring that holds the tool tip, per axis and side: prmCartesianImpedance.
+/// Is a spring that holds the tool tip, per axis and side. Corresponds to cisst's
+/// prmCartesianImpedance.
 struct CartesianImpedanceSlot {
   std::array<double, 9> force_orientation;   // Eigen::Matrix3d
   std::array<double, 3> force_position;      // Eigen::Vector3d, m

@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// prmEventButton.
+/// Corresponds to cisst's prmEventButton.
 struct ButtonEventSlot {
   std::uint8_t type;   // ButtonAction
   std::int64_t stamp;  // suture::Time, ns
@@ -19,7 +19,7 @@ bool store(const ButtonEvent& value, ButtonEventSlot& slot);
 void load(const ButtonEventSlot& slot, ButtonEvent& value);
 void shiftStamps(ButtonEventSlot& slot, suture::Duration shift);
 
-/// prmInputData.
+/// Corresponds to cisst's prmInputData.
 struct InputDataSlot {
   suture::BoundedList<double, 32> analog_inputs;
   suture::BoundedList<std::uint8_t, 64> digital_inputs;
@@ -32,7 +32,7 @@ void load(const InputDataSlot& slot, InputData& value);
 void reserve(const InputDataSlot*, InputData& value);
 void shiftStamps(InputDataSlot& slot, suture::Duration shift);
 
-/// prmIMUSensors.
+/// Corresponds to cisst's prmIMUSensors.
 struct ImuSampleSlot {
   std::array<double, 4> orientation;          // Eigen::Quaterniond
   std::array<double, 3> angular_velocity;     // Eigen::Vector3d, rad/s

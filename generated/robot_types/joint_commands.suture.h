@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// prmPositionJointGet.
+/// Corresponds to cisst's prmPositionJointGet.
 struct JointPositionSlot {
   suture::BoundedList<double, 8> position;  // rad
   suture::BoundedList<std::int64_t, 8> stamps;
@@ -21,7 +21,7 @@ void load(const JointPositionSlot& slot, JointPosition& value);
 void reserve(const JointPositionSlot*, JointPosition& value);
 void shiftStamps(JointPositionSlot& slot, suture::Duration shift);
 
-/// prmPositionJointSet.
+/// Corresponds to cisst's prmPositionJointSet.
 struct JointPositionGoalSlot {
   suture::BoundedList<double, 8> goal;          // rad
   suture::BoundedList<double, 8> velocity;      // rad/s
@@ -36,7 +36,7 @@ void load(const JointPositionGoalSlot& slot, JointPositionGoal& value);
 void reserve(const JointPositionGoalSlot*, JointPositionGoal& value);
 void shiftStamps(JointPositionGoalSlot& slot, suture::Duration shift);
 
-/// prmVelocityJointGet.
+/// Corresponds to cisst's prmVelocityJointGet.
 struct JointVelocitySlot {
   suture::BoundedList<double, 8> velocity;  // rad/s
   std::int64_t stamp;                       // suture::Time, ns
@@ -48,7 +48,7 @@ void load(const JointVelocitySlot& slot, JointVelocity& value);
 void reserve(const JointVelocitySlot*, JointVelocity& value);
 void shiftStamps(JointVelocitySlot& slot, suture::Duration shift);
 
-/// CRTK's servo_jv: prmVelocityJointSet.
+/// Is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.
 struct JointVelocityGoalSlot {
   suture::BoundedList<double, 8> goal;          // rad/s
   suture::BoundedList<double, 8> acceleration;  // rad/s2
@@ -63,7 +63,7 @@ void load(const JointVelocityGoalSlot& slot, JointVelocityGoal& value);
 void reserve(const JointVelocityGoalSlot*, JointVelocityGoal& value);
 void shiftStamps(JointVelocityGoalSlot& slot, suture::Duration shift);
 
-/// CRTK's servo_jf: prmForceTorqueJointSet.
+/// Is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.
 struct JointEffortGoalSlot {
   suture::BoundedList<double, 8> effort;  // N.m
   suture::BoundedList<std::uint8_t, 8> mask;
@@ -75,7 +75,8 @@ void load(const JointEffortGoalSlot& slot, JointEffortGoal& value);
 void reserve(const JointEffortGoalSlot*, JointEffortGoal& value);
 void shiftStamps(JointEffortGoalSlot& slot, suture::Duration shift);
 
-/// Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.
+/// Says what the joints are and what they may do, for CRTK's configuration_js. Corresponds to
+/// cisst's prmConfigurationJoint.
 struct JointConfigurationSlot {
   suture::BoundedList<suture::BoundedText<15>, 8> name;
   suture::BoundedList<std::uint8_t, 8> type;
@@ -94,7 +95,7 @@ bool store(const JointConfiguration& value, JointConfigurationSlot& slot);
 void load(const JointConfigurationSlot& slot, JointConfiguration& value);
 void reserve(const JointConfigurationSlot*, JointConfiguration& value);
 
-/// Has position, velocity and effort in one servo command: prmServoJoint.
+/// Has position, velocity and effort in one servo command; corresponds to cisst's prmServoJoint.
 struct ServoJointSlot {
   suture::BoundedList<suture::BoundedText<15>, 8> name;
   suture::BoundedList<std::uint16_t, 8> mode;
@@ -110,8 +111,8 @@ void load(const ServoJointSlot& slot, ServoJoint& value);
 void reserve(const ServoJointSlot*, ServoJoint& value);
 void shiftStamps(ServoJointSlot& slot, suture::Duration shift);
 
-/// Turns actuators into joints and back, joints x actuators, row-major:
-/// prmActuatorJointCoupling.
+/// Turns actuators into joints and back, joints x actuators, row-major.
+/// Corresponds to cisst's prmActuatorJointCoupling.
 struct ActuatorJointCouplingSlot {
   std::uint32_t joints;
   std::uint32_t actuators;

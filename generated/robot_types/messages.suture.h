@@ -23,7 +23,7 @@ bool store(const IntervalStatistics& value, IntervalStatisticsSlot& slot);
 void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value);
 void shiftStamps(IntervalStatisticsSlot& slot, suture::Duration shift);
 
-/// prmKeyValue.
+/// Corresponds to cisst's prmKeyValue.
 struct KeyValueSlot {
   suture::BoundedText<31> key;
   suture::BoundedText<127> value;

@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// Has the poses of several tools at once: prmPositionCartesianArrayGet.
+/// Has the poses of several tools at once. Corresponds to cisst's prmPositionCartesianArrayGet.
 struct PoseArraySlot {
   suture::BoundedText<15> reference_frame;
   suture::BoundedList<suture::BoundedText<15>, 16> moving_frames;
@@ -23,7 +23,7 @@ void load(const PoseArraySlot& slot, PoseArray& value);
 void reserve(const PoseArraySlot*, PoseArray& value);
 void shiftStamps(PoseArraySlot& slot, suture::Duration shift);
 
-/// prmImageFrame.
+/// Corresponds to cisst's prmImageFrame.
 struct ImageFrameSlot {
   std::uint32_t width;
   std::uint32_t height;
@@ -38,7 +38,7 @@ void load(const ImageFrameSlot& slot, ImageFrame& value);
 void reserve(const ImageFrameSlot*, ImageFrame& value);
 void shiftStamps(ImageFrameSlot& slot, suture::Duration shift);
 
-/// prmCameraInfo: a pinhole with its distortion.
+/// Is a pinhole camera with its distortion. Corresponds to cisst's prmCameraInfo.
 struct CameraInfoSlot {
   std::uint32_t width;
   std::uint32_t height;
@@ -54,7 +54,7 @@ bool store(const CameraInfo& value, CameraInfoSlot& slot);
 void load(const CameraInfoSlot& slot, CameraInfo& value);
 void shiftStamps(CameraInfoSlot& slot, suture::Duration shift);
 
-/// Is a cloud of coloured points: prmDepthMap.
+/// Is a cloud of coloured points. Corresponds to cisst's prmDepthMap.
 struct DepthMapSlot {
   suture::BoundedText<15> reference_frame;
   std::uint32_t width;

@@ -66,7 +66,7 @@ constexpr suture::CommandInfo kStrandViewCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<StrandStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(StrandViewColumn::strand),
+     .column = StrandViewColumn::strand,
      .acceptsResult = suture::checkSlot<StrandStateSlot, isValid>,
      .shiftResult = suture::shiftSlot<StrandStateSlot>},
 };
@@ -135,7 +135,7 @@ struct Provided<robots::StrandView>::Dispatch {
 Errc Provided<robots::StrandView>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                            std::byte* result) {
   using ::robots::StrandViewCommand;
-  switch (static_cast<StrandViewCommand>(command)) {
+  switch (command) {
     case StrandViewCommand::strand: return Dispatch::execute_strand(implementation_, result);
   }
   return Errc::Invalid;

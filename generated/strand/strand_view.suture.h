@@ -1,4 +1,7 @@
 // Written by suturec from strand/strand_view.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. strand_view.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -27,14 +30,18 @@ void shiftStamps(StrandStateSlot& slot, suture::Duration shift);
 
 bool isValid(const StrandStateSlot& slot, suture::FieldPath* path);
 
-/// Names the numbers of StrandView's commands in every table and record.
-enum class StrandViewCommand : std::uint16_t {
-  strand,
+/// Numbers the commands of StrandView.
+struct StrandViewCommand {
+  enum : std::uint16_t {
+    strand,
+  };
 };
 
-/// Names where a row of the state has each read of StrandView.
-enum class StrandViewColumn : std::uint16_t {
-  strand,
+/// Numbers the reads of StrandView as a row of the state has them.
+struct StrandViewColumn {
+  enum : std::uint16_t {
+    strand,
+  };
 };
 
 }  // namespace robots
@@ -60,8 +67,8 @@ class Required<robots::StrandView> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Is the strand as it is at the end of the simulation's last cycle, which is its stamp.
-  ReadCommand<&Contract::strand, robots::StrandStateSlot> strand{
-      *this, static_cast<std::uint16_t>(Id::strand)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::strand, robots::StrandStateSlot> strand{*this, Id::strand};
 
  protected:
   // For contracts that derive from this one.

@@ -57,14 +57,14 @@ suture::Errc decodeStrandViewStrandColumn(wire::StrandViewStateRow::Reader in,
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeStrandViewColumn(unsigned column, const std::byte* memory,
                             wire::StrandViewStateRow::Builder out) {
-  switch (static_cast<StrandViewColumn>(column)) {
+  switch (column) {
     case StrandViewColumn::strand:
       return encodeStrandViewStrandColumn(suture::slotIn<StrandStateSlot>(memory), out);
   }
 }
 suture::Errc decodeStrandViewColumn(wire::StrandViewStateRow::Reader in, unsigned column,
                                     std::byte* memory, suture::Duration shift) {
-  switch (static_cast<StrandViewColumn>(column)) {
+  switch (column) {
     case StrandViewColumn::strand:
       return decodeStrandViewStrandColumn(in, suture::newSlot<StrandStateSlot>(memory), shift);
   }

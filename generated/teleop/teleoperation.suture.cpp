@@ -139,13 +139,13 @@ constexpr suture::CommandInfo kTeleoperationCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
-     .column = static_cast<int>(TeleoperationColumn::teleop_state),
+     .column = TeleoperationColumn::teleop_state,
      .acceptsResult = suture::checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateResult>},
     {.name = "anchors",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<FollowAnchorsSlot>,
      .depth = 16,
-     .column = static_cast<int>(TeleoperationColumn::anchors),
+     .column = TeleoperationColumn::anchors,
      .acceptsResult = suture::checkSlot<FollowAnchorsSlot, isValid>,
      .shiftResult = suture::shiftSlot<FollowAnchorsSlot>},
     {.name = "set_scale",
@@ -165,7 +165,7 @@ constexpr suture::CommandInfo kTeleoperationCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<TeleopSettingsSlot>,
      .depth = 16,
-     .column = static_cast<int>(TeleoperationColumn::settings),
+     .column = TeleoperationColumn::settings,
      .acceptsResult = suture::checkSlot<TeleopSettingsSlot, isValid>},
 };
 
@@ -366,7 +366,7 @@ struct Provided<robots::Teleoperation>::Dispatch {
 Errc Provided<robots::Teleoperation>::execute(std::uint16_t command, const std::byte* arguments,
                                               std::byte* result) {
   using ::robots::TeleoperationCommand;
-  switch (static_cast<TeleoperationCommand>(command)) {
+  switch (command) {
     case TeleoperationCommand::enable: return Dispatch::execute_enable(implementation_);
     case TeleoperationCommand::disable: return Dispatch::execute_disable(implementation_);
     case TeleoperationCommand::teleop_state:

@@ -1,4 +1,7 @@
 // Written by suturec from teleop/teleoperation.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. teleoperation.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -63,30 +66,36 @@ struct TeleoperationLockTranslationArguments {
 
 bool store(const bool& lock, TeleoperationLockTranslationArguments& slot);
 
-/// Names the numbers of Teleoperation's commands in every table and record.
-enum class TeleoperationCommand : std::uint16_t {
-  enable,
-  disable,
-  teleop_state,
-  anchors,
-  set_scale,
-  lock_rotation,
-  lock_translation,
-  settings,
+/// Numbers the commands of Teleoperation.
+struct TeleoperationCommand {
+  enum : std::uint16_t {
+    enable,
+    disable,
+    teleop_state,
+    anchors,
+    set_scale,
+    lock_rotation,
+    lock_translation,
+    settings,
+  };
 };
 
-/// Names the numbers of Teleoperation's events.
-enum class TeleoperationEvent : std::uint16_t {
-  teleop_state,
-  followed,
-  settings,
+/// Numbers the events of Teleoperation.
+struct TeleoperationEvent {
+  enum : std::uint16_t {
+    teleop_state,
+    followed,
+    settings,
+  };
 };
 
-/// Names where a row of the state has each read of Teleoperation.
-enum class TeleoperationColumn : std::uint16_t {
-  teleop_state,
-  anchors,
-  settings,
+/// Numbers the reads of Teleoperation as a row of the state has them.
+struct TeleoperationColumn {
+  enum : std::uint16_t {
+    teleop_state,
+    anchors,
+    settings,
+  };
 };
 
 }  // namespace robots
@@ -119,38 +128,46 @@ class Required<robots::Teleoperation> : public RequiredBase {
 
   /// Enables and homes arms that are not, then follows. It does not enable an arm in FAULT: the
   /// operator who has removed the cause does.
-  Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
+  /// Void: up to 16 wait.
+  Command<&Contract::enable, NoSlot> enable{*this, Id::enable};
   /// Stops following. The slave holds.
-  Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
-  ReadCommand<&Contract::teleop_state, std::uint8_t> teleop_state{
-      *this, static_cast<std::uint16_t>(Id::teleop_state)};
+  /// Void: up to 16 wait.
+  Command<&Contract::disable, NoSlot> disable{*this, Id::disable};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::teleop_state, std::uint8_t> teleop_state{*this, Id::teleop_state};
   /// Are the anchors of the present or last time of following.
-  ReadCommand<&Contract::anchors, robots::FollowAnchorsSlot> anchors{
-      *this, static_cast<std::uint16_t>(Id::anchors)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::anchors, robots::FollowAnchorsSlot> anchors{*this, Id::anchors};
+  /// Write: up to 16 wait. `scale` is from 0.01 to 10.
   Command<&Contract::set_scale, robots::TeleoperationSetScaleArguments> set_scale{
-      *this, static_cast<std::uint16_t>(Id::set_scale)};
+      *this, Id::set_scale};
   /// Makes the slave keep its orientation. When it is unlocked, the master is aligned anew before
   /// the slave follows.
+  /// Write: up to 16 wait.
   Command<&Contract::lock_rotation, robots::TeleoperationLockRotationArguments> lock_rotation{
-      *this, static_cast<std::uint16_t>(Id::lock_rotation)};
+      *this, Id::lock_rotation};
   /// Makes the slave keep its position.
+  /// Write: up to 16 wait.
   Command<&Contract::lock_translation,
           robots::TeleoperationLockTranslationArguments> lock_translation{
-      *this, static_cast<std::uint16_t>(Id::lock_translation)};
-  ReadCommand<&Contract::settings, robots::TeleopSettingsSlot> settings{
-      *this, static_cast<std::uint16_t>(Id::settings)};
+      *this, Id::lock_translation};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::settings, robots::TeleopSettingsSlot> settings{*this, Id::settings};
 
   /// Subscribes to the events of robots::Teleoperation.
   struct Events {
     explicit Events(RequiredBase& required)
-        : teleop_state{required, static_cast<std::uint16_t>(EventId::teleop_state)},
-          followed{required, static_cast<std::uint16_t>(EventId::followed)},
-          settings{required, static_cast<std::uint16_t>(EventId::settings)} {}
+        : teleop_state{required, EventId::teleop_state},
+          followed{required, EventId::followed},
+          settings{required, EventId::settings} {}
 
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, robots::TeleopState> teleop_state;
     /// Reports that following begins, or goes on with other settings.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<robots::FollowAnchorsSlot, robots::FollowAnchors> followed;
     /// Reports each change, and the last one to a client that connects.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<robots::TeleopSettingsSlot, robots::TeleopSettings> settings;
   };
   Events& on() { return events_; }
@@ -177,9 +194,9 @@ class Provided<robots::Teleoperation> : public ProvidedBase {
   /// Emits the events of robots::Teleoperation.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : teleop_state{provided, static_cast<std::uint16_t>(EventId::teleop_state)},
-          followed{provided, static_cast<std::uint16_t>(EventId::followed)},
-          settings{provided, static_cast<std::uint16_t>(EventId::settings)} {}
+        : teleop_state{provided, EventId::teleop_state},
+          followed{provided, EventId::followed},
+          settings{provided, EventId::settings} {}
 
     Emitter<std::uint8_t, robots::TeleopState> teleop_state;
     /// Reports that following begins, or goes on with other settings.

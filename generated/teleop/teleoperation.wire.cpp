@@ -202,7 +202,7 @@ suture::Errc decodeTeleoperationSettingsColumn(wire::TeleoperationStateRow::Read
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeTeleoperationColumn(unsigned column, const std::byte* memory,
                                wire::TeleoperationStateRow::Builder out) {
-  switch (static_cast<TeleoperationColumn>(column)) {
+  switch (column) {
     case TeleoperationColumn::teleop_state:
       return encodeTeleoperationTeleopStateColumn(suture::slotIn<std::uint8_t>(memory), out);
     case TeleoperationColumn::anchors:
@@ -213,7 +213,7 @@ void encodeTeleoperationColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeTeleoperationColumn(wire::TeleoperationStateRow::Reader in, unsigned column,
                                        std::byte* memory, suture::Duration shift) {
-  switch (static_cast<TeleoperationColumn>(column)) {
+  switch (column) {
     case TeleoperationColumn::teleop_state:
       return decodeTeleoperationTeleopStateColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
     case TeleoperationColumn::anchors:

@@ -62,7 +62,7 @@ constexpr suture::CommandInfo kKnotVisionCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<KnotSightingSlot>,
      .depth = 16,
-     .column = static_cast<int>(KnotVisionColumn::sighting),
+     .column = KnotVisionColumn::sighting,
      .acceptsResult = suture::checkSlot<KnotSightingSlot, isValid>,
      .shiftResult = suture::shiftSlot<KnotSightingSlot>},
 };
@@ -127,7 +127,7 @@ struct Provided<robots::KnotVision>::Dispatch {
 Errc Provided<robots::KnotVision>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                            std::byte* result) {
   using ::robots::KnotVisionCommand;
-  switch (static_cast<KnotVisionCommand>(command)) {
+  switch (command) {
     case KnotVisionCommand::sighting: return Dispatch::execute_sighting(implementation_, result);
   }
   return Errc::Invalid;

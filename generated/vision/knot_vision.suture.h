@@ -1,4 +1,7 @@
 // Written by suturec from vision/knot_vision.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. knot_vision.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -27,14 +30,18 @@ void shiftStamps(KnotSightingSlot& slot, suture::Duration shift);
 
 bool isValid(const KnotSightingSlot& slot, suture::FieldPath* path);
 
-/// Names the numbers of KnotVision's commands in every table and record.
-enum class KnotVisionCommand : std::uint16_t {
-  sighting,
+/// Numbers the commands of KnotVision.
+struct KnotVisionCommand {
+  enum : std::uint16_t {
+    sighting,
+  };
 };
 
-/// Names where a row of the state has each read of KnotVision.
-enum class KnotVisionColumn : std::uint16_t {
-  sighting,
+/// Numbers the reads of KnotVision as a row of the state has them.
+struct KnotVisionColumn {
+  enum : std::uint16_t {
+    sighting,
+  };
 };
 
 }  // namespace robots
@@ -60,8 +67,8 @@ class Required<robots::KnotVision> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Is what the last pair of images showed.
-  ReadCommand<&Contract::sighting, robots::KnotSightingSlot> sighting{
-      *this, static_cast<std::uint16_t>(Id::sighting)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::sighting, robots::KnotSightingSlot> sighting{*this, Id::sighting};
 
  protected:
   // For contracts that derive from this one.

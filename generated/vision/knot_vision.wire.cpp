@@ -60,14 +60,14 @@ suture::Errc decodeKnotVisionSightingColumn(wire::KnotVisionStateRow::Reader in,
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeKnotVisionColumn(unsigned column, const std::byte* memory,
                             wire::KnotVisionStateRow::Builder out) {
-  switch (static_cast<KnotVisionColumn>(column)) {
+  switch (column) {
     case KnotVisionColumn::sighting:
       return encodeKnotVisionSightingColumn(suture::slotIn<KnotSightingSlot>(memory), out);
   }
 }
 suture::Errc decodeKnotVisionColumn(wire::KnotVisionStateRow::Reader in, unsigned column,
                                     std::byte* memory, suture::Duration shift) {
-  switch (static_cast<KnotVisionColumn>(column)) {
+  switch (column) {
     case KnotVisionColumn::sighting:
       return decodeKnotVisionSightingColumn(in, suture::newSlot<KnotSightingSlot>(memory), shift);
   }

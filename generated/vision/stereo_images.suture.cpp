@@ -69,7 +69,7 @@ constexpr suture::CommandInfo kStereoImagesCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<StereoPairSlot>,
      .depth = 16,
-     .column = static_cast<int>(StereoImagesColumn::images),
+     .column = StereoImagesColumn::images,
      .acceptsResult = suture::checkSlot<StereoPairSlot, isValid>,
      .shiftResult = suture::shiftSlot<StereoPairSlot>,
      .resultLevels = kStereoImagesImagesResultLevels},
@@ -77,7 +77,7 @@ constexpr suture::CommandInfo kStereoImagesCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::int64_t>,
      .depth = 16,
-     .column = static_cast<int>(StereoImagesColumn::exposed),
+     .column = StereoImagesColumn::exposed,
      .shiftResult = suture::shiftSlot<std::int64_t, shiftStereoImagesExposedResult>},
 };
 
@@ -90,13 +90,13 @@ constexpr char kStereoImagesDescription[] = R"json(
 "ordinal": 2,
 "doc": "Is the stamp of the last pair, and 0 while there is nothing to see. A client that asks this\nfirst copies megabytes only if they are new.",
 "result": {"type": {"kind": "time", "clock": "steady"}}, "queue": 16}], "events": [], "enums": [],
-"structs": [{"name": "robots::ImageFrame", "doc": "prmImageFrame.", "fields": [{"name": "width",
-"type": {"kind": "UInt32"}, "default": 0}, {"name": "height", "type": {"kind": "UInt32"},
-"default": 0}, {"name": "channels", "type": {"kind": "UInt32"}, "default": 0}, {"name": "data",
-"doc": "Goes row by row, channels interleaved, 8 bits each.", "type": {"kind": "list", "element": {
-"kind": "UInt8"}, "capacity": 2097152}}, {"name": "stamp", "type": {"kind": "time",
-"clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {
-"name": "robots::StereoPair",
+"structs": [{"name": "robots::ImageFrame", "doc": "Corresponds to cisst's prmImageFrame.",
+"fields": [{"name": "width", "type": {"kind": "UInt32"}, "default": 0}, {"name": "height", "type": {
+"kind": "UInt32"}, "default": 0}, {"name": "channels", "type": {"kind": "UInt32"}, "default": 0}, {
+"name": "data", "doc": "Goes row by row, channels interleaved, 8 bits each.", "type": {
+"kind": "list", "element": {"kind": "UInt8"}, "capacity": 2097152}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}]
+}, {"name": "robots::StereoPair",
 "doc": "Holds two rectified images of one moment; both stamps are that of the exposure.",
 "fields": [{"name": "left", "type": {"kind": "struct", "name": "robots::ImageFrame"}}, {
 "name": "right", "type": {"kind": "struct", "name": "robots::ImageFrame"}}]}], "wire": [{
@@ -156,7 +156,7 @@ struct Provided<robots::StereoImages>::Dispatch {
 Errc Provided<robots::StereoImages>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                              std::byte* result) {
   using ::robots::StereoImagesCommand;
-  switch (static_cast<StereoImagesCommand>(command)) {
+  switch (command) {
     case StereoImagesCommand::images: return Dispatch::execute_images(implementation_, result);
     case StereoImagesCommand::exposed: return Dispatch::execute_exposed(implementation_, result);
   }

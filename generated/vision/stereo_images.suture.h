@@ -1,4 +1,7 @@
 // Written by suturec from vision/stereo_images.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. stereo_images.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -26,16 +29,20 @@ void shiftStamps(StereoPairSlot& slot, suture::Duration shift);
 
 bool isValid(const StereoPairSlot& slot, suture::FieldPath* path);
 
-/// Names the numbers of StereoImages's commands in every table and record.
-enum class StereoImagesCommand : std::uint16_t {
-  images,
-  exposed,
+/// Numbers the commands of StereoImages.
+struct StereoImagesCommand {
+  enum : std::uint16_t {
+    images,
+    exposed,
+  };
 };
 
-/// Names where a row of the state has each read of StereoImages.
-enum class StereoImagesColumn : std::uint16_t {
-  images,
-  exposed,
+/// Numbers the reads of StereoImages as a row of the state has them.
+struct StereoImagesColumn {
+  enum : std::uint16_t {
+    images,
+    exposed,
+  };
 };
 
 }  // namespace robots
@@ -61,12 +68,12 @@ class Required<robots::StereoImages> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Is the last pair; it is not valid while there is nothing to see.
-  ReadCommand<&Contract::images, robots::StereoPairSlot> images{
-      *this, static_cast<std::uint16_t>(Id::images)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::images, robots::StereoPairSlot> images{*this, Id::images};
   /// Is the stamp of the last pair, and 0 while there is nothing to see. A client that asks this
   /// first copies megabytes only if they are new.
-  ReadCommand<&Contract::exposed, std::int64_t> exposed{
-      *this, static_cast<std::uint16_t>(Id::exposed)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::exposed, std::int64_t> exposed{*this, Id::exposed};
 
  protected:
   // For contracts that derive from this one.

@@ -76,7 +76,7 @@ suture::Errc decodeStereoImagesExposedColumn(wire::StereoImagesStateRow::Reader 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeStereoImagesColumn(unsigned column, const std::byte* memory,
                               wire::StereoImagesStateRow::Builder out) {
-  switch (static_cast<StereoImagesColumn>(column)) {
+  switch (column) {
     case StereoImagesColumn::images:
       return encodeStereoImagesImagesColumn(suture::slotIn<StereoPairSlot>(memory), out);
     case StereoImagesColumn::exposed:
@@ -85,7 +85,7 @@ void encodeStereoImagesColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeStereoImagesColumn(wire::StereoImagesStateRow::Reader in, unsigned column,
                                       std::byte* memory, suture::Duration shift) {
-  switch (static_cast<StereoImagesColumn>(column)) {
+  switch (column) {
     case StereoImagesColumn::images:
       return decodeStereoImagesImagesColumn(in, suture::newSlot<StereoPairSlot>(memory), shift);
     case StereoImagesColumn::exposed:

@@ -23,14 +23,14 @@ constexpr suture::CommandInfo kTrackedObjectCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = static_cast<int>(TrackedObjectColumn::measured_cp),
+     .column = TrackedObjectColumn::measured_cp,
      .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "measured_cv",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<TwistSlot>,
      .depth = 16,
-     .column = static_cast<int>(TrackedObjectColumn::measured_cv),
+     .column = TrackedObjectColumn::measured_cv,
      .acceptsResult = suture::checkSlot<TwistSlot, isValid>,
      .shiftResult = suture::shiftSlot<TwistSlot>},
 };
@@ -54,7 +54,7 @@ constexpr char kTrackedObjectDescription[] = R"json(
 "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
 "doc": "If it is false, do not use it.", "type": {"kind": "Bool"}, "default": false}]}, {
 "name": "robots::Twist",
-"doc": "Is a velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.",
+"doc": "Is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's prmVelocityCartesianGet.",
 "fields": [{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64",
 "rows": 3, "columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame",
@@ -120,7 +120,7 @@ struct Provided<robots::TrackedObject>::Dispatch {
 Errc Provided<robots::TrackedObject>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                               std::byte* result) {
   using ::robots::TrackedObjectCommand;
-  switch (static_cast<TrackedObjectCommand>(command)) {
+  switch (command) {
     case TrackedObjectCommand::measured_cp:
       return Dispatch::execute_measured_cp(implementation_, result);
     case TrackedObjectCommand::measured_cv:

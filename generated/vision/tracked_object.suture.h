@@ -1,4 +1,7 @@
 // Written by suturec from vision/tracked_object.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. tracked_object.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -13,16 +16,20 @@
 
 namespace robots {
 
-/// Names the numbers of TrackedObject's commands in every table and record.
-enum class TrackedObjectCommand : std::uint16_t {
-  measured_cp,
-  measured_cv,
+/// Numbers the commands of TrackedObject.
+struct TrackedObjectCommand {
+  enum : std::uint16_t {
+    measured_cp,
+    measured_cv,
+  };
 };
 
-/// Names where a row of the state has each read of TrackedObject.
-enum class TrackedObjectColumn : std::uint16_t {
-  measured_cp,
-  measured_cv,
+/// Numbers the reads of TrackedObject as a row of the state has them.
+struct TrackedObjectColumn {
+  enum : std::uint16_t {
+    measured_cp,
+    measured_cv,
+  };
 };
 
 }  // namespace robots
@@ -45,11 +52,11 @@ class Required<robots::TrackedObject> : public RequiredBase {
   /// Says where it is at the stamp, which is that of the tracker's cycle: images are old when they
   /// come, and this is what they showed, extrapolated by its velocity. It is not valid unless the
   /// last pair of images showed it, and not long ago.
-  ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{
-      *this, static_cast<std::uint16_t>(Id::measured_cp)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{*this, Id::measured_cp};
   /// Says how fast it moves; it is valid when the pose is.
-  ReadCommand<&Contract::measured_cv, robots::TwistSlot> measured_cv{
-      *this, static_cast<std::uint16_t>(Id::measured_cv)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::measured_cv, robots::TwistSlot> measured_cv{*this, Id::measured_cv};
 
  protected:
   // For contracts that derive from this one.

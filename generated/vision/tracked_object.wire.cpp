@@ -65,7 +65,7 @@ suture::Errc decodeTrackedObjectMeasuredCvColumn(wire::TrackedObjectStateRow::Re
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeTrackedObjectColumn(unsigned column, const std::byte* memory,
                                wire::TrackedObjectStateRow::Builder out) {
-  switch (static_cast<TrackedObjectColumn>(column)) {
+  switch (column) {
     case TrackedObjectColumn::measured_cp:
       return encodeTrackedObjectMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case TrackedObjectColumn::measured_cv:
@@ -74,7 +74,7 @@ void encodeTrackedObjectColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeTrackedObjectColumn(wire::TrackedObjectStateRow::Reader in, unsigned column,
                                        std::byte* memory, suture::Duration shift) {
-  switch (static_cast<TrackedObjectColumn>(column)) {
+  switch (column) {
     case TrackedObjectColumn::measured_cp:
       return decodeTrackedObjectMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory),
                                                  shift);

@@ -124,14 +124,14 @@ constexpr suture::CommandInfo kArmLikeCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmLikeColumn::measured_cp),
+     .column = ArmLikeColumn::measured_cp,
      .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "measured_js",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmLikeColumn::measured_js),
+     .column = ArmLikeColumn::measured_js,
      .acceptsResult = suture::checkSlot<JointStateSlot, isValid>},
     {.name = "distance",
      .kind = suture::CommandKind::QualifiedRead,
@@ -379,7 +379,7 @@ struct Provided<reference::ArmLike>::Dispatch {
 Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byte* arguments,
                                            std::byte* result) {
   using ::reference::ArmLikeCommand;
-  switch (static_cast<ArmLikeCommand>(command)) {
+  switch (command) {
     case ArmLikeCommand::servo_cp:
       return Dispatch::execute_servo_cp(implementation_, scratch_, arguments);
     case ArmLikeCommand::servo_jp:

@@ -1,4 +1,7 @@
 // Written by suturec from reference/arm_like.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. arm_like.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -68,33 +71,39 @@ bool store(const PoseStamped& value, const double& value2, ArmLikeMovedPayload& 
 void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2);
 void shiftStamps(ArmLikeMovedPayload& slot, suture::Duration shift);
 
-/// Names the numbers of ArmLike's commands in every table and record.
-enum class ArmLikeCommand : std::uint16_t {
-  servo_cp,
-  servo_jp,
-  hold,
-  set_mode,
-  measured_cp,
-  measured_js,
-  distance,
-  move,
-  reset,
-  limit,
-  park,
+/// Numbers the commands of ArmLike.
+struct ArmLikeCommand {
+  enum : std::uint16_t {
+    servo_cp,
+    servo_jp,
+    hold,
+    set_mode,
+    measured_cp,
+    measured_js,
+    distance,
+    move,
+    reset,
+    limit,
+    park,
+  };
 };
 
-/// Names the numbers of ArmLike's events.
-enum class ArmLikeEvent : std::uint16_t {
-  mode,
-  arrived,
-  stopped,
-  moved,
+/// Numbers the events of ArmLike.
+struct ArmLikeEvent {
+  enum : std::uint16_t {
+    mode,
+    arrived,
+    stopped,
+    moved,
+  };
 };
 
-/// Names where a row of the state has each read of ArmLike.
-enum class ArmLikeColumn : std::uint16_t {
-  measured_cp,
-  measured_js,
+/// Numbers the reads of ArmLike as a row of the state has them.
+struct ArmLikeColumn {
+  enum : std::uint16_t {
+    measured_cp,
+    measured_js,
+  };
 };
 
 }  // namespace reference
@@ -116,42 +125,54 @@ class Required<reference::ArmLike> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Follows a stream of poses.
-  Command<&Contract::servo_cp, reference::ArmLikeServoCpArguments> servo_cp{
-      *this, static_cast<std::uint16_t>(Id::servo_cp)};
-  Command<&Contract::servo_jp, reference::ArmLikeServoJpArguments> servo_jp{
-      *this, static_cast<std::uint16_t>(Id::servo_jp)};
-  Command<&Contract::hold, NoSlot> hold{*this, static_cast<std::uint16_t>(Id::hold)};
-  Command<&Contract::set_mode, reference::ArmLikeSetModeArguments> set_mode{
-      *this, static_cast<std::uint16_t>(Id::set_mode)};
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 500 ms
+  /// ago.
+  Command<&Contract::servo_cp, reference::ArmLikeServoCpArguments> servo_cp{*this, Id::servo_cp};
+  /// Write: a newer one replaces the one that waits.
+  Command<&Contract::servo_jp, reference::ArmLikeServoJpArguments> servo_jp{*this, Id::servo_jp};
+  /// Void: up to 4 wait.
+  Command<&Contract::hold, NoSlot> hold{*this, Id::hold};
+  /// Write: up to 16 wait.
+  Command<&Contract::set_mode, reference::ArmLikeSetModeArguments> set_mode{*this, Id::set_mode};
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::measured_cp, reference::PoseStampedSlot> measured_cp{
-      *this, static_cast<std::uint16_t>(Id::measured_cp)};
+      *this, Id::measured_cp};
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::measured_js, reference::JointStateSlot> measured_js{
-      *this, static_cast<std::uint16_t>(Id::measured_js)};
+      *this, Id::measured_js};
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::distance, reference::ArmLikeDistanceArguments, double> distance{
-      *this, static_cast<std::uint16_t>(Id::distance)};
+      *this, Id::distance};
   /// Moves along a line; answers whether it can.
+  /// Write with return: up to 16 wait. `within()` waits 200 ms for the answer. `speed` is from 0 to
+  /// 1.
   ReturningCommand<&Contract::move, reference::ArmLikeMoveArguments, std::uint8_t> move{
-      *this, static_cast<std::uint16_t>(Id::move)};
+      *this, Id::move};
   /// Forgets what it was told; answers how much that was.
-  ReturningCommand<&Contract::reset, NoSlot, std::uint32_t> reset{
-      *this, static_cast<std::uint16_t>(Id::reset)};
-  Command<&Contract::limit, reference::ArmLikeLimitArguments> limit{
-      *this, static_cast<std::uint16_t>(Id::limit)};
+  /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
+  ReturningCommand<&Contract::reset, NoSlot, std::uint32_t> reset{*this, Id::reset};
+  /// Write: up to 2 wait.
+  Command<&Contract::limit, reference::ArmLikeLimitArguments> limit{*this, Id::limit};
   /// Folds the arm.
-  Command<&Contract::park, NoSlot> park{*this, static_cast<std::uint16_t>(Id::park)};
+  /// Void: up to 16 wait.
+  Command<&Contract::park, NoSlot> park{*this, Id::park};
 
   /// Subscribes to the events of reference::ArmLike.
   struct Events {
     explicit Events(RequiredBase& required)
-        : mode{required, static_cast<std::uint16_t>(EventId::mode)},
-          arrived{required, static_cast<std::uint16_t>(EventId::arrived)},
-          stopped{required, static_cast<std::uint16_t>(EventId::stopped)},
-          moved{required, static_cast<std::uint16_t>(EventId::moved)} {}
+        : mode{required, EventId::mode},
+          arrived{required, EventId::arrived},
+          stopped{required, EventId::stopped},
+          moved{required, EventId::moved} {}
 
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, reference::Mode> mode;
+    /// At a subscriber up to 4 wait.
     Subscription<reference::PoseStampedSlot, reference::PoseStamped> arrived;
+    /// At a subscriber up to 16 wait.
     Subscription<void> stopped;
     /// Where it is and how fast.
+    /// At a subscriber up to 16 wait.
     Subscription<reference::ArmLikeMovedPayload, reference::PoseStamped, double> moved;
   };
   Events& on() { return events_; }
@@ -178,10 +199,10 @@ class Provided<reference::ArmLike> : public ProvidedBase {
   /// Emits the events of reference::ArmLike.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : mode{provided, static_cast<std::uint16_t>(EventId::mode)},
-          arrived{provided, static_cast<std::uint16_t>(EventId::arrived)},
-          stopped{provided, static_cast<std::uint16_t>(EventId::stopped)},
-          moved{provided, static_cast<std::uint16_t>(EventId::moved)} {}
+        : mode{provided, EventId::mode},
+          arrived{provided, EventId::arrived},
+          stopped{provided, EventId::stopped},
+          moved{provided, EventId::moved} {}
 
     Emitter<std::uint8_t, reference::Mode> mode;
     Emitter<reference::PoseStampedSlot, reference::PoseStamped> arrived;

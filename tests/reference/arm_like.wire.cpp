@@ -179,7 +179,7 @@ suture::Errc decodeArmLikeMeasuredJsColumn(wire::ArmLikeStateRow::Reader in, Joi
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeArmLikeColumn(unsigned column, const std::byte* memory,
                          wire::ArmLikeStateRow::Builder out) {
-  switch (static_cast<ArmLikeColumn>(column)) {
+  switch (column) {
     case ArmLikeColumn::measured_cp:
       return encodeArmLikeMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case ArmLikeColumn::measured_js:
@@ -188,7 +188,7 @@ void encodeArmLikeColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeArmLikeColumn(wire::ArmLikeStateRow::Reader in, unsigned column,
                                  std::byte* memory, suture::Duration shift) {
-  switch (static_cast<ArmLikeColumn>(column)) {
+  switch (column) {
     case ArmLikeColumn::measured_cp:
       return decodeArmLikeMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case ArmLikeColumn::measured_js:

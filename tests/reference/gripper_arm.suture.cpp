@@ -50,7 +50,7 @@ constexpr suture::CommandInfo kGripperArmCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .column = static_cast<int>(GripperArmColumn::opening),
+     .column = GripperArmColumn::opening,
      .acceptsResult = suture::checkSlot<double, acceptsGripperArmOpeningResult>},
     {.name = "release", .kind = suture::CommandKind::Void, .depth = 16, .inCallersThread = true},
     {.name = "fits",
@@ -256,7 +256,7 @@ struct Provided<reference::GripperArm>::Dispatch {
 Errc Provided<reference::GripperArm>::execute(std::uint16_t command, const std::byte* arguments,
                                               std::byte* result) {
   using ::reference::GripperArmCommand;
-  switch (static_cast<GripperArmCommand>(command)) {
+  switch (command) {
     case GripperArmCommand::close:
       return Dispatch::execute_close(implementation_, scratch_, arguments, result);
     case GripperArmCommand::opening: return Dispatch::execute_opening(implementation_, result);

@@ -1,4 +1,7 @@
 // Written by suturec from reference/gripper_arm.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. gripper_arm.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -27,24 +30,30 @@ struct GripperArmFitsArguments {
 
 bool store(const double& width, GripperArmFitsArguments& slot);
 
-/// Names the numbers of GripperArm's own commands in every table and record.
-enum class GripperArmCommand : std::uint16_t {
-  close = 11,
-  opening,
-  release,
-  fits,
+/// Numbers the commands of GripperArm, behind those that it inherits.
+struct GripperArmCommand {
+  enum : std::uint16_t {
+    close = 11,
+    opening,
+    release,
+    fits,
+  };
 };
 
-/// Names the numbers of GripperArm's own events.
-enum class GripperArmEvent : std::uint16_t {
-  gripped = 4,
+/// Numbers the events of GripperArm, behind those that it inherits.
+struct GripperArmEvent {
+  enum : std::uint16_t {
+    gripped = 4,
+  };
 };
 
-/// Names where a row of the state has each read of GripperArm.
-enum class GripperArmColumn : std::uint16_t {
-  measured_cp,
-  measured_js,
-  opening,
+/// Numbers the reads of GripperArm as a row of the state has them.
+struct GripperArmColumn {
+  enum : std::uint16_t {
+    measured_cp,
+    measured_js,
+    opening,
+  };
 };
 
 }  // namespace reference
@@ -66,20 +75,26 @@ class Required<reference::GripperArm> : public Required<reference::ArmLike> {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Closes to this width; answers the width that it could reach.
+  /// Write with return: up to 16 wait. `within()` waits 1 s for the answer. `width` is in m.
   ReturningCommand<&Contract::close, reference::GripperArmCloseArguments, double> close{
-      *this, static_cast<std::uint16_t>(Id::close)};
-  ReadCommand<&Contract::opening, double> opening{*this, static_cast<std::uint16_t>(Id::opening)};
+      *this, Id::close};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::opening, double> opening{*this, Id::opening};
   /// Lets go at once.
-  Command<&Contract::release, NoSlot> release{*this, static_cast<std::uint16_t>(Id::release)};
+  /// Void: up to 16 wait. Touches atomics only.
+  Command<&Contract::release, NoSlot> release{*this, Id::release};
+  /// Qualified read: may run while the component runs. `within()` waits 1 s for the answer. `width`
+  /// is in m.
   QualifiedReadCommand<&Contract::fits, reference::GripperArmFitsArguments, std::uint8_t> fits{
-      *this, static_cast<std::uint16_t>(Id::fits)};
+      *this, Id::fits};
 
   /// Subscribes to the events of reference::GripperArm.
   struct Events : Required<reference::ArmLike>::Events {
     explicit Events(RequiredBase& required)
         : Required<reference::ArmLike>::Events(required),
-          gripped{required, static_cast<std::uint16_t>(EventId::gripped)} {}
+          gripped{required, EventId::gripped} {}
 
+    /// At a subscriber up to 16 wait.
     Subscription<double, double> gripped;
   };
   Events& on() { return events_; }
@@ -107,7 +122,7 @@ class Provided<reference::GripperArm> : public Provided<reference::ArmLike> {
   struct Events : Provided<reference::ArmLike>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<reference::ArmLike>::Events(provided),
-          gripped{provided, static_cast<std::uint16_t>(EventId::gripped)} {}
+          gripped{provided, EventId::gripped} {}
 
     Emitter<double, double> gripped;
   };

@@ -142,7 +142,7 @@ suture::Errc decodeGripperArmOpeningColumn(wire::GripperArmStateRow::Reader in, 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeGripperArmColumn(unsigned column, const std::byte* memory,
                             wire::GripperArmStateRow::Builder out) {
-  switch (static_cast<GripperArmColumn>(column)) {
+  switch (column) {
     case GripperArmColumn::measured_cp:
       return encodeGripperArmMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case GripperArmColumn::measured_js:
@@ -153,7 +153,7 @@ void encodeGripperArmColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeGripperArmColumn(wire::GripperArmStateRow::Reader in, unsigned column,
                                     std::byte* memory, suture::Duration shift) {
-  switch (static_cast<GripperArmColumn>(column)) {
+  switch (column) {
     case GripperArmColumn::measured_cp:
       return decodeGripperArmMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case GripperArmColumn::measured_js:

@@ -176,26 +176,26 @@ constexpr suture::CommandInfo kAllKindsCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .column = static_cast<int>(AllKindsColumn::scalar),
+     .column = AllKindsColumn::scalar,
      .acceptsResult = suture::checkSlot<double, acceptsAllKindsScalarResult>},
     {.name = "vector",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::array<double, 3>>,
      .depth = 16,
-     .column = static_cast<int>(AllKindsColumn::vector),
+     .column = AllKindsColumn::vector,
      .acceptsResult = suture::checkSlot<std::array<double, 3>, acceptsAllKindsVectorResult>},
     {.name = "record",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .column = static_cast<int>(AllKindsColumn::record),
+     .column = AllKindsColumn::record,
      .acceptsResult = suture::checkSlot<robots::PosePrmSlot, robots::isValid>,
      .shiftResult = suture::shiftSlot<robots::PosePrmSlot>},
     {.name = "text",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<suture::BoundedText<31>>,
      .depth = 16,
-     .column = static_cast<int>(AllKindsColumn::text)},
+     .column = AllKindsColumn::text},
     {.name = "twice_scalar",
      .kind = suture::CommandKind::QualifiedRead,
      .argumentsSize = suture::slotSize<AllKindsTwiceScalarArguments>,
@@ -617,7 +617,7 @@ struct Provided<scenarios::AllKinds>::Dispatch {
 Errc Provided<scenarios::AllKinds>::execute(std::uint16_t command, const std::byte* arguments,
                                             std::byte* result) {
   using ::scenarios::AllKindsCommand;
-  switch (static_cast<AllKindsCommand>(command)) {
+  switch (command) {
     case AllKindsCommand::clear: return Dispatch::execute_clear(implementation_);
     case AllKindsCommand::set_scalar:
       return Dispatch::execute_set_scalar(implementation_, scratch_, arguments);

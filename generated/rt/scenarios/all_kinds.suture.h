@@ -1,4 +1,7 @@
 // Written by suturec from rt/scenarios/all_kinds.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. all_kinds.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slots.h>
@@ -89,46 +92,52 @@ struct AllKindsSwapTextArguments {
 
 bool store(const std::string& value, AllKindsSwapTextArguments& slot);
 
-/// Names the numbers of AllKinds's commands in every table and record.
-enum class AllKindsCommand : std::uint16_t {
-  clear,
-  set_scalar,
-  set_vector,
-  set_record,
-  set_text,
-  scalar,
-  vector,
-  record,
-  text,
-  twice_scalar,
-  twice_vector,
-  twice_record,
-  twice_text,
-  take_scalar,
-  take_vector,
-  take_record,
-  take_text,
-  swap_scalar,
-  swap_vector,
-  swap_record,
-  swap_text,
+/// Numbers the commands of AllKinds.
+struct AllKindsCommand {
+  enum : std::uint16_t {
+    clear,
+    set_scalar,
+    set_vector,
+    set_record,
+    set_text,
+    scalar,
+    vector,
+    record,
+    text,
+    twice_scalar,
+    twice_vector,
+    twice_record,
+    twice_text,
+    take_scalar,
+    take_vector,
+    take_record,
+    take_text,
+    swap_scalar,
+    swap_vector,
+    swap_record,
+    swap_text,
+  };
 };
 
-/// Names the numbers of AllKinds's events.
-enum class AllKindsEvent : std::uint16_t {
-  cleared,
-  scalar_set,
-  vector_set,
-  record_set,
-  text_set,
+/// Numbers the events of AllKinds.
+struct AllKindsEvent {
+  enum : std::uint16_t {
+    cleared,
+    scalar_set,
+    vector_set,
+    record_set,
+    text_set,
+  };
 };
 
-/// Names where a row of the state has each read of AllKinds.
-enum class AllKindsColumn : std::uint16_t {
-  scalar,
-  vector,
-  record,
-  text,
+/// Numbers the reads of AllKinds as a row of the state has them.
+struct AllKindsColumn {
+  enum : std::uint16_t {
+    scalar,
+    vector,
+    record,
+    text,
+  };
 };
 
 }  // namespace scenarios
@@ -150,73 +159,88 @@ class Required<scenarios::AllKinds> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Forgets all values. void
-  Command<&Contract::clear, NoSlot> clear{*this, static_cast<std::uint16_t>(Id::clear)};
+  /// Void: up to 16 wait.
+  Command<&Contract::clear, NoSlot> clear{*this, Id::clear};
   /// Write: keep a value and tell it.
+  /// Write: up to 16 wait.
   Command<&Contract::set_scalar, scenarios::AllKindsSetScalarArguments> set_scalar{
-      *this, static_cast<std::uint16_t>(Id::set_scalar)};
+      *this, Id::set_scalar};
+  /// Write: up to 16 wait.
   Command<&Contract::set_vector, scenarios::AllKindsSetVectorArguments> set_vector{
-      *this, static_cast<std::uint16_t>(Id::set_vector)};
+      *this, Id::set_vector};
+  /// Write: up to 16 wait.
   Command<&Contract::set_record, scenarios::AllKindsSetRecordArguments> set_record{
-      *this, static_cast<std::uint16_t>(Id::set_record)};
-  Command<&Contract::set_text, scenarios::AllKindsSetTextArguments> set_text{
-      *this, static_cast<std::uint16_t>(Id::set_text)};
+      *this, Id::set_record};
+  /// Write: up to 16 wait.
+  Command<&Contract::set_text, scenarios::AllKindsSetTextArguments> set_text{*this, Id::set_text};
   /// Read: the value kept.
-  ReadCommand<&Contract::scalar, double> scalar{*this, static_cast<std::uint16_t>(Id::scalar)};
-  ReadCommand<&Contract::vector, std::array<double, 3>> vector{
-      *this, static_cast<std::uint16_t>(Id::vector)};
-  ReadCommand<&Contract::record, robots::PosePrmSlot> record{
-      *this, static_cast<std::uint16_t>(Id::record)};
-  ReadCommand<&Contract::text, suture::BoundedText<31>> text{
-      *this, static_cast<std::uint16_t>(Id::text)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::scalar, double> scalar{*this, Id::scalar};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::vector, std::array<double, 3>> vector{*this, Id::vector};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::record, robots::PosePrmSlot> record{*this, Id::record};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::text, suture::BoundedText<31>> text{*this, Id::text};
   /// Qualified read: twice the value given.
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::twice_scalar, scenarios::AllKindsTwiceScalarArguments,
-                       double> twice_scalar{*this, static_cast<std::uint16_t>(Id::twice_scalar)};
+                       double> twice_scalar{*this, Id::twice_scalar};
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::twice_vector, scenarios::AllKindsTwiceVectorArguments,
-                       std::array<double, 3>> twice_vector{
-      *this, static_cast<std::uint16_t>(Id::twice_vector)};
+                       std::array<double, 3>> twice_vector{*this, Id::twice_vector};
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::twice_record, scenarios::AllKindsTwiceRecordArguments,
-                       robots::PosePrmSlot> twice_record{
-      *this, static_cast<std::uint16_t>(Id::twice_record)};
+                       robots::PosePrmSlot> twice_record{*this, Id::twice_record};
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::twice_text, scenarios::AllKindsTwiceTextArguments,
-                       suture::BoundedText<31>> twice_text{
-      *this, static_cast<std::uint16_t>(Id::twice_text)};
+                       suture::BoundedText<31>> twice_text{*this, Id::twice_text};
   /// Void with return: the value kept, and forgets it.
-  ReturningCommand<&Contract::take_scalar, NoSlot, double> take_scalar{
-      *this, static_cast<std::uint16_t>(Id::take_scalar)};
+  /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
+  ReturningCommand<&Contract::take_scalar, NoSlot, double> take_scalar{*this, Id::take_scalar};
+  /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::take_vector, NoSlot, std::array<double, 3>> take_vector{
-      *this, static_cast<std::uint16_t>(Id::take_vector)};
+      *this, Id::take_vector};
+  /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::take_record, NoSlot, robots::PosePrmSlot> take_record{
-      *this, static_cast<std::uint16_t>(Id::take_record)};
+      *this, Id::take_record};
+  /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::take_text, NoSlot, suture::BoundedText<31>> take_text{
-      *this, static_cast<std::uint16_t>(Id::take_text)};
+      *this, Id::take_text};
   /// Write with return: keep a value, answer the one before.
+  /// Write with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::swap_scalar, scenarios::AllKindsSwapScalarArguments,
-                   double> swap_scalar{*this, static_cast<std::uint16_t>(Id::swap_scalar)};
+                   double> swap_scalar{*this, Id::swap_scalar};
+  /// Write with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::swap_vector, scenarios::AllKindsSwapVectorArguments,
-                   std::array<double, 3>> swap_vector{
-      *this, static_cast<std::uint16_t>(Id::swap_vector)};
+                   std::array<double, 3>> swap_vector{*this, Id::swap_vector};
+  /// Write with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::swap_record, scenarios::AllKindsSwapRecordArguments,
-                   robots::PosePrmSlot> swap_record{
-      *this, static_cast<std::uint16_t>(Id::swap_record)};
+                   robots::PosePrmSlot> swap_record{*this, Id::swap_record};
+  /// Write with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::swap_text, scenarios::AllKindsSwapTextArguments,
-                   suture::BoundedText<31>> swap_text{
-      *this, static_cast<std::uint16_t>(Id::swap_text)};
+                   suture::BoundedText<31>> swap_text{*this, Id::swap_text};
 
   /// Subscribes to the events of scenarios::AllKinds.
   struct Events {
     explicit Events(RequiredBase& required)
-        : cleared{required, static_cast<std::uint16_t>(EventId::cleared)},
-          scalar_set{required, static_cast<std::uint16_t>(EventId::scalar_set)},
-          vector_set{required, static_cast<std::uint16_t>(EventId::vector_set)},
-          record_set{required, static_cast<std::uint16_t>(EventId::record_set)},
-          text_set{required, static_cast<std::uint16_t>(EventId::text_set)} {}
+        : cleared{required, EventId::cleared},
+          scalar_set{required, EventId::scalar_set},
+          vector_set{required, EventId::vector_set},
+          record_set{required, EventId::record_set},
+          text_set{required, EventId::text_set} {}
 
     /// All values are forgotten. void
+    /// At a subscriber up to 16 wait.
     Subscription<void> cleared;
     /// Write: a value has been set.
+    /// At a subscriber up to 16 wait.
     Subscription<double, double> scalar_set;
+    /// At a subscriber up to 16 wait.
     Subscription<std::array<double, 3>, Eigen::Vector3d> vector_set;
+    /// At a subscriber up to 16 wait.
     Subscription<robots::PosePrmSlot, robots::PosePrm> record_set;
+    /// At a subscriber up to 16 wait.
     Subscription<suture::BoundedText<31>, std::string> text_set;
   };
   Events& on() { return events_; }
@@ -243,11 +267,11 @@ class Provided<scenarios::AllKinds> : public ProvidedBase {
   /// Emits the events of scenarios::AllKinds.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : cleared{provided, static_cast<std::uint16_t>(EventId::cleared)},
-          scalar_set{provided, static_cast<std::uint16_t>(EventId::scalar_set)},
-          vector_set{provided, static_cast<std::uint16_t>(EventId::vector_set)},
-          record_set{provided, static_cast<std::uint16_t>(EventId::record_set)},
-          text_set{provided, static_cast<std::uint16_t>(EventId::text_set)} {}
+        : cleared{provided, EventId::cleared},
+          scalar_set{provided, EventId::scalar_set},
+          vector_set{provided, EventId::vector_set},
+          record_set{provided, EventId::record_set},
+          text_set{provided, EventId::text_set} {}
 
     /// All values are forgotten. void
     Emitter<void> cleared;

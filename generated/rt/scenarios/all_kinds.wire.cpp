@@ -354,7 +354,7 @@ suture::Errc decodeAllKindsTextColumn(wire::AllKindsStateRow::Reader in,
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeAllKindsColumn(unsigned column, const std::byte* memory,
                           wire::AllKindsStateRow::Builder out) {
-  switch (static_cast<AllKindsColumn>(column)) {
+  switch (column) {
     case AllKindsColumn::scalar:
       return encodeAllKindsScalarColumn(suture::slotIn<double>(memory), out);
     case AllKindsColumn::vector:
@@ -367,7 +367,7 @@ void encodeAllKindsColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeAllKindsColumn(wire::AllKindsStateRow::Reader in, unsigned column,
                                   std::byte* memory, suture::Duration shift) {
-  switch (static_cast<AllKindsColumn>(column)) {
+  switch (column) {
     case AllKindsColumn::scalar:
       return decodeAllKindsScalarColumn(in, suture::newSlot<double>(memory), shift);
     case AllKindsColumn::vector:

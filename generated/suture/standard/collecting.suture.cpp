@@ -85,18 +85,18 @@ constexpr suture::CommandInfo kCollectingCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<CollectingIntervalSlot>,
      .depth = 16,
-     .column = static_cast<int>(CollectingColumn::interval),
+     .column = CollectingColumn::interval,
      .acceptsResult = suture::checkSlot<CollectingIntervalSlot, isValid>},
     {.name = "collecting",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
-     .column = static_cast<int>(CollectingColumn::collecting)},
+     .column = CollectingColumn::collecting},
     {.name = "counts",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<CollectedCountsSlot>,
      .depth = 16,
-     .column = static_cast<int>(CollectingColumn::counts),
+     .column = CollectingColumn::counts,
      .acceptsResult = suture::checkSlot<CollectedCountsSlot, isValid>},
 };
 
@@ -218,7 +218,7 @@ struct Provided<suture::Collecting>::Dispatch {
 Errc Provided<suture::Collecting>::execute(std::uint16_t command, const std::byte* arguments,
                                            std::byte* result) {
   using ::suture::CollectingCommand;
-  switch (static_cast<CollectingCommand>(command)) {
+  switch (command) {
     case CollectingCommand::start_collecting:
       return Dispatch::execute_start_collecting(implementation_);
     case CollectingCommand::stop_collecting:

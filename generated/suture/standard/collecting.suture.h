@@ -1,4 +1,7 @@
 // Written by suturec from suture/standard/collecting.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. collecting.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -43,21 +46,25 @@ struct CollectingSetIntervalArguments {
 
 bool store(const CollectingInterval& interval, CollectingSetIntervalArguments& slot);
 
-/// Names the numbers of Collecting's commands in every table and record.
-enum class CollectingCommand : std::uint16_t {
-  start_collecting,
-  stop_collecting,
-  set_interval,
-  interval,
-  collecting,
-  counts,
+/// Numbers the commands of Collecting.
+struct CollectingCommand {
+  enum : std::uint16_t {
+    start_collecting,
+    stop_collecting,
+    set_interval,
+    interval,
+    collecting,
+    counts,
+  };
 };
 
-/// Names where a row of the state has each read of Collecting.
-enum class CollectingColumn : std::uint16_t {
-  interval,
-  collecting,
-  counts,
+/// Numbers the reads of Collecting as a row of the state has them.
+struct CollectingColumn {
+  enum : std::uint16_t {
+    interval,
+    collecting,
+    counts,
+  };
 };
 
 }  // namespace suture
@@ -89,22 +96,23 @@ class Required<suture::Collecting> : public RequiredBase {
 
   /// Begins to record what is produced from now on. Counts begin anew, unless it is collecting
   /// already.
-  Command<&Contract::start_collecting, NoSlot> start_collecting{
-      *this, static_cast<std::uint16_t>(Id::start_collecting)};
+  /// Void: up to 16 wait.
+  Command<&Contract::start_collecting, NoSlot> start_collecting{*this, Id::start_collecting};
   /// Stops recording: what is produced from now on is discarded without being counted.
-  Command<&Contract::stop_collecting, NoSlot> stop_collecting{
-      *this, static_cast<std::uint16_t>(Id::stop_collecting)};
+  /// Void: up to 16 wait.
+  Command<&Contract::stop_collecting, NoSlot> stop_collecting{*this, Id::stop_collecting};
   /// Sets the interval from the next row or event on. Returns false, and changes nothing, for every
   /// 0th one or a negative time.
+  /// Write with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::set_interval, suture::CollectingSetIntervalArguments,
-                   std::uint8_t> set_interval{*this, static_cast<std::uint16_t>(Id::set_interval)};
-  ReadCommand<&Contract::interval, CollectingIntervalSlot> interval{
-      *this, static_cast<std::uint16_t>(Id::interval)};
-  ReadCommand<&Contract::collecting, std::uint8_t> collecting{
-      *this, static_cast<std::uint16_t>(Id::collecting)};
+                   std::uint8_t> set_interval{*this, Id::set_interval};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::interval, CollectingIntervalSlot> interval{*this, Id::interval};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::collecting, std::uint8_t> collecting{*this, Id::collecting};
   /// Counts what the present time of collecting has written, or the last one.
-  ReadCommand<&Contract::counts, CollectedCountsSlot> counts{
-      *this, static_cast<std::uint16_t>(Id::counts)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::counts, CollectedCountsSlot> counts{*this, Id::counts};
 
  protected:
   // For contracts that derive from this one.

@@ -123,7 +123,7 @@ suture::Errc decodeCollectingCountsColumn(wire::CollectingStateRow::Reader in,
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeCollectingColumn(unsigned column, const std::byte* memory,
                             wire::CollectingStateRow::Builder out) {
-  switch (static_cast<CollectingColumn>(column)) {
+  switch (column) {
     case CollectingColumn::interval:
       return encodeCollectingIntervalColumn(suture::slotIn<CollectingIntervalSlot>(memory), out);
     case CollectingColumn::collecting:
@@ -134,7 +134,7 @@ void encodeCollectingColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeCollectingColumn(wire::CollectingStateRow::Reader in, unsigned column,
                                     std::byte* memory, suture::Duration shift) {
-  switch (static_cast<CollectingColumn>(column)) {
+  switch (column) {
     case CollectingColumn::interval:
       return decodeCollectingIntervalColumn(in, suture::newSlot<CollectingIntervalSlot>(memory),
                                             shift);

@@ -118,7 +118,7 @@ constexpr suture::CommandInfo kLifecycleCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
-     .column = static_cast<int>(LifecycleColumn::component_state),
+     .column = LifecycleColumn::component_state,
      .acceptsResult = suture::checkSlot<std::uint8_t, acceptsLifecycleComponentStateResult>},
     {.name = "resume_connection",
      .kind = suture::CommandKind::WriteReturn,
@@ -268,7 +268,7 @@ struct Provided<suture::Lifecycle>::Dispatch {
 Errc Provided<suture::Lifecycle>::execute(std::uint16_t command, const std::byte* arguments,
                                           std::byte* result) {
   using ::suture::LifecycleCommand;
-  switch (static_cast<LifecycleCommand>(command)) {
+  switch (command) {
     case LifecycleCommand::suspend: return Dispatch::execute_suspend(implementation_, result);
     case LifecycleCommand::resume: return Dispatch::execute_resume(implementation_, result);
     case LifecycleCommand::component_state:

@@ -1,4 +1,7 @@
 // Written by suturec from suture/standard/lifecycle.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. lifecycle.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -36,22 +39,28 @@ struct LifecycleResumeConnectionArguments {
 
 bool store(const std::string& required, LifecycleResumeConnectionArguments& slot);
 
-/// Names the numbers of Lifecycle's commands in every table and record.
-enum class LifecycleCommand : std::uint16_t {
-  suspend,
-  resume,
-  component_state,
-  resume_connection,
+/// Numbers the commands of Lifecycle.
+struct LifecycleCommand {
+  enum : std::uint16_t {
+    suspend,
+    resume,
+    component_state,
+    resume_connection,
+  };
 };
 
-/// Names the numbers of Lifecycle's events.
-enum class LifecycleEvent : std::uint16_t {
-  state_changed,
+/// Numbers the events of Lifecycle.
+struct LifecycleEvent {
+  enum : std::uint16_t {
+    state_changed,
+  };
 };
 
-/// Names where a row of the state has each read of Lifecycle.
-enum class LifecycleColumn : std::uint16_t {
-  component_state,
+/// Numbers the reads of Lifecycle as a row of the state has them.
+struct LifecycleColumn {
+  enum : std::uint16_t {
+    component_state,
+  };
 };
 
 }  // namespace suture
@@ -79,25 +88,26 @@ class Required<suture::Lifecycle> : public RequiredBase {
 
   /// Suspends the component, which does nothing from its next cycle on. Returns false if it is not
   /// running.
-  ReturningCommand<&Contract::suspend, NoSlot, std::uint8_t> suspend{
-      *this, static_cast<std::uint16_t>(Id::suspend)};
+  /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
+  ReturningCommand<&Contract::suspend, NoSlot, std::uint8_t> suspend{*this, Id::suspend};
   /// Lets the component go on. Returns false if it is not suspended.
-  ReturningCommand<&Contract::resume, NoSlot, std::uint8_t> resume{
-      *this, static_cast<std::uint16_t>(Id::resume)};
-  ReadCommand<&Contract::component_state, std::uint8_t> component_state{
-      *this, static_cast<std::uint16_t>(Id::component_state)};
+  /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
+  ReturningCommand<&Contract::resume, NoSlot, std::uint8_t> resume{*this, Id::resume};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::component_state, std::uint8_t> component_state{*this, Id::component_state};
   /// Lets the commands of a required interface through again, which await their operator after a
   /// loss or a value that was too old.
+  /// Write with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::resume_connection, suture::LifecycleResumeConnectionArguments,
-                   std::uint8_t> resume_connection{
-      *this, static_cast<std::uint16_t>(Id::resume_connection)};
+                   std::uint8_t> resume_connection{*this, Id::resume_connection};
 
   /// Subscribes to the events of suture::Lifecycle.
   struct Events {
     explicit Events(RequiredBase& required)
-        : state_changed{required, static_cast<std::uint16_t>(EventId::state_changed)} {}
+        : state_changed{required, EventId::state_changed} {}
 
     /// Reports each transition once, and the last one to a client that subscribes later.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<StateChangeSlot, StateChange> state_changed;
   };
   Events& on() { return events_; }
@@ -124,7 +134,7 @@ class Provided<suture::Lifecycle> : public ProvidedBase {
   /// Emits the events of suture::Lifecycle.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : state_changed{provided, static_cast<std::uint16_t>(EventId::state_changed)} {}
+        : state_changed{provided, EventId::state_changed} {}
 
     /// Reports each transition once, and the last one to a client that subscribes later.
     Emitter<StateChangeSlot, StateChange> state_changed;

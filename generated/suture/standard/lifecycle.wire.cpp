@@ -160,14 +160,14 @@ suture::Errc decodeLifecycleComponentStateColumn(wire::LifecycleStateRow::Reader
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeLifecycleColumn(unsigned column, const std::byte* memory,
                            wire::LifecycleStateRow::Builder out) {
-  switch (static_cast<LifecycleColumn>(column)) {
+  switch (column) {
     case LifecycleColumn::component_state:
       return encodeLifecycleComponentStateColumn(suture::slotIn<std::uint8_t>(memory), out);
   }
 }
 suture::Errc decodeLifecycleColumn(wire::LifecycleStateRow::Reader in, unsigned column,
                                    std::byte* memory, suture::Duration shift) {
-  switch (static_cast<LifecycleColumn>(column)) {
+  switch (column) {
     case LifecycleColumn::component_state:
       return decodeLifecycleComponentStateColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
   }

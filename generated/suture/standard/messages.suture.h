@@ -1,4 +1,7 @@
 // Written by suturec from suture/standard/messages.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. messages.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -26,11 +29,13 @@ void shiftStamps(MessageSlot& slot, suture::Duration shift);
 
 bool isValid(const MessageSlot& slot, suture::FieldPath* path);
 
-/// Names the numbers of Messages's events.
-enum class MessagesEvent : std::uint16_t {
-  status,
-  warning,
-  error,
+/// Numbers the events of Messages.
+struct MessagesEvent {
+  enum : std::uint16_t {
+    status,
+    warning,
+    error,
+  };
 };
 
 }  // namespace suture
@@ -59,15 +64,18 @@ class Required<suture::Messages> : public RequiredBase {
   /// Subscribes to the events of suture::Messages.
   struct Events {
     explicit Events(RequiredBase& required)
-        : status{required, static_cast<std::uint16_t>(EventId::status)},
-          warning{required, static_cast<std::uint16_t>(EventId::warning)},
-          error{required, static_cast<std::uint16_t>(EventId::error)} {}
+        : status{required, EventId::status},
+          warning{required, EventId::warning},
+          error{required, EventId::error} {}
 
     /// Reports that something has been done, and nothing is wrong.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<MessageSlot, Message> status;
     /// Reports that something was refused, or is not as it should be; the component goes on.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<MessageSlot, Message> warning;
     /// Reports that something failed, and needs somebody's attention.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<MessageSlot, Message> error;
   };
   Events& on() { return events_; }
@@ -94,9 +102,9 @@ class Provided<suture::Messages> : public ProvidedBase {
   /// Emits the events of suture::Messages.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : status{provided, static_cast<std::uint16_t>(EventId::status)},
-          warning{provided, static_cast<std::uint16_t>(EventId::warning)},
-          error{provided, static_cast<std::uint16_t>(EventId::error)} {}
+        : status{provided, EventId::status},
+          warning{provided, EventId::warning},
+          error{provided, EventId::error} {}
 
     /// Reports that something has been done, and nothing is wrong.
     Emitter<MessageSlot, Message> status;

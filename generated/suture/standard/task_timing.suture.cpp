@@ -92,19 +92,19 @@ constexpr suture::CommandInfo kTaskTimingCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<TaskWindowSlot>,
      .depth = 16,
-     .column = static_cast<int>(TaskTimingColumn::window),
+     .column = TaskTimingColumn::window,
      .acceptsResult = suture::checkSlot<TaskWindowSlot, isValid>,
      .shiftResult = suture::shiftSlot<TaskWindowSlot>},
     {.name = "cycles",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::uint64_t>,
      .depth = 16,
-     .column = static_cast<int>(TaskTimingColumn::cycles)},
+     .column = TaskTimingColumn::cycles},
     {.name = "skipped",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::uint64_t>,
      .depth = 16,
-     .column = static_cast<int>(TaskTimingColumn::skipped)},
+     .column = TaskTimingColumn::skipped},
 };
 
 // The self-description, as in suture/standard/task_timing.suture.json.
@@ -202,7 +202,7 @@ struct Provided<suture::TaskTiming>::Dispatch {
 Errc Provided<suture::TaskTiming>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                            std::byte* result) {
   using ::suture::TaskTimingCommand;
-  switch (static_cast<TaskTimingCommand>(command)) {
+  switch (command) {
     case TaskTimingCommand::window: return Dispatch::execute_window(implementation_, result);
     case TaskTimingCommand::cycles: return Dispatch::execute_cycles(implementation_, result);
     case TaskTimingCommand::skipped: return Dispatch::execute_skipped(implementation_, result);

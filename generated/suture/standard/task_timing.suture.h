@@ -1,4 +1,7 @@
 // Written by suturec from suture/standard/task_timing.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. task_timing.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -39,18 +42,22 @@ void shiftStamps(TaskWindowSlot& slot, suture::Duration shift);
 bool isValid(const DurationSummarySlot& slot, suture::FieldPath* path);
 bool isValid(const TaskWindowSlot& slot, suture::FieldPath* path);
 
-/// Names the numbers of TaskTiming's commands in every table and record.
-enum class TaskTimingCommand : std::uint16_t {
-  window,
-  cycles,
-  skipped,
+/// Numbers the commands of TaskTiming.
+struct TaskTimingCommand {
+  enum : std::uint16_t {
+    window,
+    cycles,
+    skipped,
+  };
 };
 
-/// Names where a row of the state has each read of TaskTiming.
-enum class TaskTimingColumn : std::uint16_t {
-  window,
-  cycles,
-  skipped,
+/// Numbers the reads of TaskTiming as a row of the state has them.
+struct TaskTimingColumn {
+  enum : std::uint16_t {
+    window,
+    cycles,
+    skipped,
+  };
 };
 
 }  // namespace suture
@@ -82,14 +89,14 @@ class Required<suture::TaskTiming> : public RequiredBase {
 
   /// Is the last whole window, of 1 s unless the task says otherwise; `end` is unset before the
   /// first.
-  ReadCommand<&Contract::window, TaskWindowSlot> window{
-      *this, static_cast<std::uint16_t>(Id::window)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::window, TaskWindowSlot> window{*this, Id::window};
   /// Counts the cycles since the task exists.
-  ReadCommand<&Contract::cycles, std::uint64_t> cycles{
-      *this, static_cast<std::uint16_t>(Id::cycles)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::cycles, std::uint64_t> cycles{*this, Id::cycles};
   /// Counts the periods or callbacks that passed without a cycle, since the task exists.
-  ReadCommand<&Contract::skipped, std::uint64_t> skipped{
-      *this, static_cast<std::uint16_t>(Id::skipped)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::skipped, std::uint64_t> skipped{*this, Id::skipped};
 
  protected:
   // For contracts that derive from this one.

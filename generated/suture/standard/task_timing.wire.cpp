@@ -116,7 +116,7 @@ suture::Errc decodeTaskTimingSkippedColumn(wire::TaskTimingStateRow::Reader in, 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeTaskTimingColumn(unsigned column, const std::byte* memory,
                             wire::TaskTimingStateRow::Builder out) {
-  switch (static_cast<TaskTimingColumn>(column)) {
+  switch (column) {
     case TaskTimingColumn::window:
       return encodeTaskTimingWindowColumn(suture::slotIn<TaskWindowSlot>(memory), out);
     case TaskTimingColumn::cycles:
@@ -127,7 +127,7 @@ void encodeTaskTimingColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeTaskTimingColumn(wire::TaskTimingStateRow::Reader in, unsigned column,
                                     std::byte* memory, suture::Duration shift) {
-  switch (static_cast<TaskTimingColumn>(column)) {
+  switch (column) {
     case TaskTimingColumn::window:
       return decodeTaskTimingWindowColumn(in, suture::newSlot<TaskWindowSlot>(memory), shift);
     case TaskTimingColumn::cycles:

@@ -29,7 +29,7 @@ constexpr suture::CommandInfo kLampCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
-     .column = static_cast<int>(LampColumn::lit)},
+     .column = LampColumn::lit},
 };
 
 // The self-description, as in unit/contracts/lamp.suture.json.
@@ -127,7 +127,7 @@ struct Provided<contracts::Lamp>::Dispatch {
 Errc Provided<contracts::Lamp>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::contracts::LampCommand;
-  switch (static_cast<LampCommand>(command)) {
+  switch (command) {
     case LampCommand::light: return Dispatch::execute_light(implementation_, scratch_, arguments);
     case LampCommand::lit: return Dispatch::execute_lit(implementation_, result);
   }

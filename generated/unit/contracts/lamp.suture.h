@@ -1,4 +1,7 @@
 // Written by suturec from unit/contracts/lamp.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. lamp.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -20,15 +23,19 @@ struct LampLightArguments {
 
 bool store(const bool& on, LampLightArguments& slot);
 
-/// Names the numbers of Lamp's commands in every table and record.
-enum class LampCommand : std::uint16_t {
-  light,
-  lit,
+/// Numbers the commands of Lamp.
+struct LampCommand {
+  enum : std::uint16_t {
+    light,
+    lit,
+  };
 };
 
-/// Names where a row of the state has each read of Lamp.
-enum class LampColumn : std::uint16_t {
-  lit,
+/// Numbers the reads of Lamp as a row of the state has them.
+struct LampColumn {
+  enum : std::uint16_t {
+    lit,
+  };
 };
 
 }  // namespace contracts
@@ -48,9 +55,10 @@ class Required<contracts::Lamp> : public Required<suture::Messages> {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  Command<&Contract::light, contracts::LampLightArguments> light{
-      *this, static_cast<std::uint16_t>(Id::light)};
-  ReadCommand<&Contract::lit, std::uint8_t> lit{*this, static_cast<std::uint16_t>(Id::lit)};
+  /// Write: up to 16 wait.
+  Command<&Contract::light, contracts::LampLightArguments> light{*this, Id::light};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::lit, std::uint8_t> lit{*this, Id::lit};
 
  protected:
   // For contracts that derive from this one.

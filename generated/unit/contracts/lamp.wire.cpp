@@ -76,13 +76,13 @@ suture::Errc decodeLampLitColumn(wire::LampStateRow::Reader in, std::uint8_t& sl
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeLampColumn(unsigned column, const std::byte* memory, wire::LampStateRow::Builder out) {
-  switch (static_cast<LampColumn>(column)) {
+  switch (column) {
     case LampColumn::lit: return encodeLampLitColumn(suture::slotIn<std::uint8_t>(memory), out);
   }
 }
 suture::Errc decodeLampColumn(wire::LampStateRow::Reader in, unsigned column, std::byte* memory,
                               suture::Duration shift) {
-  switch (static_cast<LampColumn>(column)) {
+  switch (column) {
     case LampColumn::lit:
       return decodeLampLitColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
   }

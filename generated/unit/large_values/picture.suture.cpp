@@ -86,14 +86,14 @@ constexpr suture::CommandInfo kGalleryCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PictureSlot>,
      .depth = 16,
-     .column = static_cast<int>(GalleryColumn::newest),
+     .column = GalleryColumn::newest,
      .acceptsResult = suture::checkSlot<PictureSlot, isValid>,
      .resultLevels = kGalleryNewestResultLevels},
     {.name = "oldest",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PictureSlot>,
      .depth = 16,
-     .column = static_cast<int>(GalleryColumn::oldest),
+     .column = GalleryColumn::oldest,
      .acceptsResult = suture::checkSlot<PictureSlot, isValid>,
      .resultLevels = kGalleryOldestResultLevels},
     {.name = "dimmed",
@@ -219,7 +219,7 @@ struct Provided<large_values::Gallery>::Dispatch {
 Errc Provided<large_values::Gallery>::execute(std::uint16_t command, const std::byte* arguments,
                                               std::byte* result) {
   using ::large_values::GalleryCommand;
-  switch (static_cast<GalleryCommand>(command)) {
+  switch (command) {
     case GalleryCommand::newest: return Dispatch::execute_newest(implementation_, result);
     case GalleryCommand::oldest: return Dispatch::execute_oldest(implementation_, result);
     case GalleryCommand::dimmed:

@@ -1,4 +1,7 @@
 // Written by suturec from unit/large_values/picture.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. picture.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -36,23 +39,29 @@ struct GalleryHangArguments {
 
 bool store(const Picture& picture, GalleryHangArguments& slot);
 
-/// Names the numbers of Gallery's commands in every table and record.
-enum class GalleryCommand : std::uint16_t {
-  newest,
-  oldest,
-  dimmed,
-  hang,
+/// Numbers the commands of Gallery.
+struct GalleryCommand {
+  enum : std::uint16_t {
+    newest,
+    oldest,
+    dimmed,
+    hang,
+  };
 };
 
-/// Names the numbers of Gallery's events.
-enum class GalleryEvent : std::uint16_t {
-  hung,
+/// Numbers the events of Gallery.
+struct GalleryEvent {
+  enum : std::uint16_t {
+    hung,
+  };
 };
 
-/// Names where a row of the state has each read of Gallery.
-enum class GalleryColumn : std::uint16_t {
-  newest,
-  oldest,
+/// Numbers the reads of Gallery as a row of the state has them.
+struct GalleryColumn {
+  enum : std::uint16_t {
+    newest,
+    oldest,
+  };
 };
 
 }  // namespace large_values
@@ -78,21 +87,22 @@ class Required<large_values::Gallery> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  ReadCommand<&Contract::newest, large_values::PictureSlot> newest{
-      *this, static_cast<std::uint16_t>(Id::newest)};
-  ReadCommand<&Contract::oldest, large_values::PictureSlot> oldest{
-      *this, static_cast<std::uint16_t>(Id::oldest)};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::newest, large_values::PictureSlot> newest{*this, Id::newest};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::oldest, large_values::PictureSlot> oldest{*this, Id::oldest};
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::dimmed, large_values::GalleryDimmedArguments,
-                       large_values::PictureSlot> dimmed{
-      *this, static_cast<std::uint16_t>(Id::dimmed)};
-  Command<&Contract::hang, large_values::GalleryHangArguments> hang{
-      *this, static_cast<std::uint16_t>(Id::hang)};
+                       large_values::PictureSlot> dimmed{*this, Id::dimmed};
+  /// Write: up to 2 wait.
+  Command<&Contract::hang, large_values::GalleryHangArguments> hang{*this, Id::hang};
 
   /// Subscribes to the events of large_values::Gallery.
   struct Events {
     explicit Events(RequiredBase& required)
-        : hung{required, static_cast<std::uint16_t>(EventId::hung)} {}
+        : hung{required, EventId::hung} {}
 
+    /// At a subscriber a newer one replaces the one that waits.
     Subscription<large_values::PictureSlot, large_values::Picture> hung;
   };
   Events& on() { return events_; }
@@ -119,7 +129,7 @@ class Provided<large_values::Gallery> : public ProvidedBase {
   /// Emits the events of large_values::Gallery.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : hung{provided, static_cast<std::uint16_t>(EventId::hung)} {}
+        : hung{provided, EventId::hung} {}
 
     Emitter<large_values::PictureSlot, large_values::Picture> hung;
   };

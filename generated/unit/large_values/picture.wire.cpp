@@ -93,7 +93,7 @@ suture::Errc decodeGalleryOldestColumn(wire::GalleryStateRow::Reader in, Picture
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeGalleryColumn(unsigned column, const std::byte* memory,
                          wire::GalleryStateRow::Builder out) {
-  switch (static_cast<GalleryColumn>(column)) {
+  switch (column) {
     case GalleryColumn::newest:
       return encodeGalleryNewestColumn(suture::slotIn<PictureSlot>(memory), out);
     case GalleryColumn::oldest:
@@ -102,7 +102,7 @@ void encodeGalleryColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeGalleryColumn(wire::GalleryStateRow::Reader in, unsigned column,
                                  std::byte* memory, suture::Duration shift) {
-  switch (static_cast<GalleryColumn>(column)) {
+  switch (column) {
     case GalleryColumn::newest:
       return decodeGalleryNewestColumn(in, suture::newSlot<PictureSlot>(memory), shift);
     case GalleryColumn::oldest:

@@ -239,20 +239,20 @@ constexpr suture::CommandInfo kArmCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::measured_cp),
+     .column = ArmColumn::measured_cp,
      .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "mode",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::int8_t>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::mode),
+     .column = ArmColumn::mode,
      .acceptsResult = suture::checkSlot<std::int8_t, acceptsArmModeResult>},
     {.name = "everything",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<EverythingSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::everything),
+     .column = ArmColumn::everything,
      .acceptsResult = suture::checkSlot<EverythingSlot, isValid>,
      .shiftResult = suture::shiftSlot<EverythingSlot>},
     {.name = "inverse_kinematics",
@@ -280,7 +280,7 @@ constexpr suture::CommandInfo kArmCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .column = static_cast<int>(ArmColumn::load),
+     .column = ArmColumn::load,
      .acceptsResult = suture::checkSlot<double, acceptsArmLoadResult>},
 };
 
@@ -532,7 +532,7 @@ struct Provided<robots::Arm>::Dispatch {
 Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* arguments,
                                     std::byte* result) {
   using ::robots::ArmCommand;
-  switch (static_cast<ArmCommand>(command)) {
+  switch (command) {
     case ArmCommand::enable: return Dispatch::execute_enable(implementation_);
     case ArmCommand::servo_cp:
       return Dispatch::execute_servo_cp(implementation_, scratch_, arguments);

@@ -1,4 +1,7 @@
 // Written by suturec from robots/arm.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. arm.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -91,35 +94,41 @@ bool store(const PoseStamped& value, const double& value2, const Mode& value3,
 void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode& value3);
 void shiftStamps(ArmMovedPayload& slot, suture::Duration shift);
 
-/// Names the numbers of Arm's commands in every table and record.
-enum class ArmCommand : std::uint16_t {
-  enable,
-  servo_cp,
-  set_speed,
-  measured_cp,
-  mode,
-  everything,
-  inverse_kinematics,
-  grasp,
-  next_token,
-  park,
-  load,
+/// Numbers the commands of Arm.
+struct ArmCommand {
+  enum : std::uint16_t {
+    enable,
+    servo_cp,
+    set_speed,
+    measured_cp,
+    mode,
+    everything,
+    inverse_kinematics,
+    grasp,
+    next_token,
+    park,
+    load,
+  };
 };
 
-/// Names the numbers of Arm's events.
-enum class ArmEvent : std::uint16_t {
-  mode_changed,
-  stopped,
-  arrived,
-  moved,
+/// Numbers the events of Arm.
+struct ArmEvent {
+  enum : std::uint16_t {
+    mode_changed,
+    stopped,
+    arrived,
+    moved,
+  };
 };
 
-/// Names where a row of the state has each read of Arm.
-enum class ArmColumn : std::uint16_t {
-  measured_cp,
-  mode,
-  everything,
-  load,
+/// Numbers the reads of Arm as a row of the state has them.
+struct ArmColumn {
+  enum : std::uint16_t {
+    measured_cp,
+    mode,
+    everything,
+    load,
+  };
 };
 
 }  // namespace robots
@@ -145,41 +154,52 @@ class Required<robots::Arm> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
+  /// Void: up to 4 wait.
+  Command<&Contract::enable, NoSlot> enable{*this, Id::enable};
   /// Follow the goal.
-  Command<&Contract::servo_cp, robots::ArmServoCpArguments> servo_cp{
-      *this, static_cast<std::uint16_t>(Id::servo_cp)};
-  Command<&Contract::set_speed, robots::ArmSetSpeedArguments> set_speed{
-      *this, static_cast<std::uint16_t>(Id::set_speed)};
-  ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{
-      *this, static_cast<std::uint16_t>(Id::measured_cp)};
-  ReadCommand<&Contract::mode, std::int8_t> mode{*this, static_cast<std::uint16_t>(Id::mode)};
-  ReadCommand<&Contract::everything, robots::EverythingSlot> everything{
-      *this, static_cast<std::uint16_t>(Id::everything)};
+  /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
+  /// ago.
+  Command<&Contract::servo_cp, robots::ArmServoCpArguments> servo_cp{*this, Id::servo_cp};
+  /// Write: up to 16 wait. `speed` is in m/s.
+  Command<&Contract::set_speed, robots::ArmSetSpeedArguments> set_speed{*this, Id::set_speed};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{*this, Id::measured_cp};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::mode, std::int8_t> mode{*this, Id::mode};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::everything, robots::EverythingSlot> everything{*this, Id::everything};
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
+  /// `tolerance` is from 0 to 1.
   QualifiedReadCommand<&Contract::inverse_kinematics, robots::ArmInverseKinematicsArguments,
-                       robots::EverythingSlot> inverse_kinematics{
-      *this, static_cast<std::uint16_t>(Id::inverse_kinematics)};
+                       robots::EverythingSlot> inverse_kinematics{*this, Id::inverse_kinematics};
   /// Closes the gripper; answers whether it holds something.
+  /// Write with return: up to 2 wait. `within()` waits 50 ms for the answer.
   ReturningCommand<&Contract::grasp, robots::ArmGraspArguments, std::uint8_t> grasp{
-      *this, static_cast<std::uint16_t>(Id::grasp)};
-  ReturningCommand<&Contract::next_token, NoSlot, std::uint32_t> next_token{
-      *this, static_cast<std::uint16_t>(Id::next_token)};
+      *this, Id::grasp};
+  /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
+  ReturningCommand<&Contract::next_token, NoSlot, std::uint32_t> next_token{*this, Id::next_token};
+  /// Void: up to 16 wait. Touches atomics only.
   [[deprecated("use enable")]]
-  Command<&Contract::park, NoSlot> park{*this, static_cast<std::uint16_t>(Id::park)};
-  ReadCommand<&Contract::load, double> load{*this, static_cast<std::uint16_t>(Id::load)};
+  Command<&Contract::park, NoSlot> park{*this, Id::park};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::load, double> load{*this, Id::load};
 
   /// Subscribes to the events of robots::Arm.
   struct Events {
     explicit Events(RequiredBase& required)
-        : mode_changed{required, static_cast<std::uint16_t>(EventId::mode_changed)},
-          stopped{required, static_cast<std::uint16_t>(EventId::stopped)},
-          arrived{required, static_cast<std::uint16_t>(EventId::arrived)},
-          moved{required, static_cast<std::uint16_t>(EventId::moved)} {}
+        : mode_changed{required, EventId::mode_changed},
+          stopped{required, EventId::stopped},
+          arrived{required, EventId::arrived},
+          moved{required, EventId::moved} {}
 
+    /// At a subscriber up to 8 wait. Who subscribes later gets the last one.
     Subscription<std::int8_t, robots::Mode> mode_changed;
+    /// At a subscriber up to 16 wait.
     Subscription<void> stopped;
+    /// At a subscriber up to 16 wait.
     Subscription<robots::PoseStampedSlot, robots::PoseStamped> arrived;
     /// Where, how fast and why.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<robots::ArmMovedPayload, robots::PoseStamped, double, robots::Mode> moved;
   };
   Events& on() { return events_; }
@@ -209,10 +229,10 @@ class Provided<robots::Arm> : public ProvidedBase {
   /// Emits the events of robots::Arm.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : mode_changed{provided, static_cast<std::uint16_t>(EventId::mode_changed)},
-          stopped{provided, static_cast<std::uint16_t>(EventId::stopped)},
-          arrived{provided, static_cast<std::uint16_t>(EventId::arrived)},
-          moved{provided, static_cast<std::uint16_t>(EventId::moved)} {}
+        : mode_changed{provided, EventId::mode_changed},
+          stopped{provided, EventId::stopped},
+          arrived{provided, EventId::arrived},
+          moved{provided, EventId::moved} {}
 
     Emitter<std::int8_t, robots::Mode> mode_changed;
     Emitter<void> stopped;

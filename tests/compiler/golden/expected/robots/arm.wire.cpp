@@ -281,7 +281,7 @@ suture::Errc decodeArmLoadColumn(wire::ArmStateRow::Reader in, double& slot, sut
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow::Builder out) {
-  switch (static_cast<ArmColumn>(column)) {
+  switch (column) {
     case ArmColumn::measured_cp:
       return encodeArmMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case ArmColumn::mode: return encodeArmModeColumn(suture::slotIn<std::int8_t>(memory), out);
@@ -292,7 +292,7 @@ void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow
 }
 suture::Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std::byte* memory,
                              suture::Duration shift) {
-  switch (static_cast<ArmColumn>(column)) {
+  switch (column) {
     case ArmColumn::measured_cp:
       return decodeArmMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case ArmColumn::mode:

@@ -64,7 +64,7 @@ constexpr suture::CommandInfo kGripperCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .column = static_cast<int>(GripperColumn::opening),
+     .column = GripperColumn::opening,
      .acceptsResult = suture::checkSlot<double, acceptsGripperOpeningResult>},
     {.name = "fits",
      .kind = suture::CommandKind::QualifiedRead,
@@ -267,7 +267,7 @@ constexpr suture::CommandInfo kNamesCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .column = static_cast<int>(NamesColumn::range),
+     .column = NamesColumn::range,
      .acceptsResult = suture::checkSlot<double, acceptsNamesRangeResult>},
 };
 
@@ -372,7 +372,7 @@ struct Provided<robots::Gripper>::Dispatch {
 Errc Provided<robots::Gripper>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::robots::GripperCommand;
-  switch (static_cast<GripperCommand>(command)) {
+  switch (command) {
     case GripperCommand::open: return Dispatch::execute_open(implementation_, scratch_, arguments);
     case GripperCommand::opening: return Dispatch::execute_opening(implementation_, result);
     case GripperCommand::fits:
@@ -411,7 +411,7 @@ struct Provided<robots::Names>::Dispatch {
 Errc Provided<robots::Names>::execute(std::uint16_t command, const std::byte* arguments,
                                       std::byte* result) {
   using ::robots::NamesCommand;
-  switch (static_cast<NamesCommand>(command)) {
+  switch (command) {
     case NamesCommand::queue: return Dispatch::execute_queue(implementation_, scratch_, arguments);
     case NamesCommand::name:
       return Dispatch::execute_name(implementation_, scratch_, arguments, result);

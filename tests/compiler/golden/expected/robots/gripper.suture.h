@@ -1,4 +1,7 @@
 // Written by suturec from robots/gripper.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. gripper.suture.md has the reference.
 #pragma once
 
 #include <suture/base/slots/slot_forms.h>
@@ -37,25 +40,31 @@ struct GripperGrippedPayload {
 bool store(const double& value, const bool& value2, GripperGrippedPayload& slot);
 void load(const GripperGrippedPayload& slot, double& value, bool& value2);
 
-/// Names the numbers of Gripper's own commands in every table and record.
-enum class GripperCommand : std::uint16_t {
-  open = 11,
-  opening,
-  fits,
+/// Numbers the commands of Gripper, behind those that it inherits.
+struct GripperCommand {
+  enum : std::uint16_t {
+    open = 11,
+    opening,
+    fits,
+  };
 };
 
-/// Names the numbers of Gripper's own events.
-enum class GripperEvent : std::uint16_t {
-  gripped = 4,
+/// Numbers the events of Gripper, behind those that it inherits.
+struct GripperEvent {
+  enum : std::uint16_t {
+    gripped = 4,
+  };
 };
 
-/// Names where a row of the state has each read of Gripper.
-enum class GripperColumn : std::uint16_t {
-  measured_cp,
-  mode,
-  everything,
-  load,
-  opening,
+/// Numbers the reads of Gripper as a row of the state has them.
+struct GripperColumn {
+  enum : std::uint16_t {
+    measured_cp,
+    mode,
+    everything,
+    load,
+    opening,
+  };
 };
 
 // --- Names: the arguments of its commands ---
@@ -75,21 +84,27 @@ struct NamesNameArguments {
 bool store(const double& range, const double& slot, const double& store_,
            NamesNameArguments& arguments_);
 
-/// Names the numbers of Names's commands in every table and record.
-enum class NamesCommand : std::uint16_t {
-  queue,
-  name,
-  range,
+/// Numbers the commands of Names.
+struct NamesCommand {
+  enum : std::uint16_t {
+    queue,
+    name,
+    range,
+  };
 };
 
-/// Names the numbers of Names's events.
-enum class NamesEvent : std::uint16_t {
-  latched,
+/// Numbers the events of Names.
+struct NamesEvent {
+  enum : std::uint16_t {
+    latched,
+  };
 };
 
-/// Names where a row of the state has each read of Names.
-enum class NamesColumn : std::uint16_t {
-  range,
+/// Numbers the reads of Names as a row of the state has them.
+struct NamesColumn {
+  enum : std::uint16_t {
+    range,
+  };
 };
 
 }  // namespace robots
@@ -110,18 +125,21 @@ class Required<robots::Gripper> : public Required<robots::Arm> {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  Command<&Contract::open, robots::GripperOpenArguments> open{
-      *this, static_cast<std::uint16_t>(Id::open)};
-  ReadCommand<&Contract::opening, double> opening{*this, static_cast<std::uint16_t>(Id::opening)};
+  /// Write: up to 16 wait. `width` is in m.
+  Command<&Contract::open, robots::GripperOpenArguments> open{*this, Id::open};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::opening, double> opening{*this, Id::opening};
+  /// Qualified read: may run while the component runs. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::fits, robots::GripperFitsArguments, std::uint8_t> fits{
-      *this, static_cast<std::uint16_t>(Id::fits)};
+      *this, Id::fits};
 
   /// Subscribes to the events of robots::Gripper.
   struct Events : Required<robots::Arm>::Events {
     explicit Events(RequiredBase& required)
         : Required<robots::Arm>::Events(required),
-          gripped{required, static_cast<std::uint16_t>(EventId::gripped)} {}
+          gripped{required, EventId::gripped} {}
 
+    /// At a subscriber up to 16 wait.
     Subscription<robots::GripperGrippedPayload, double, bool> gripped;
   };
   Events& on() { return events_; }
@@ -149,7 +167,7 @@ class Provided<robots::Gripper> : public Provided<robots::Arm> {
   struct Events : Provided<robots::Arm>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<robots::Arm>::Events(provided),
-          gripped{provided, static_cast<std::uint16_t>(EventId::gripped)} {}
+          gripped{provided, EventId::gripped} {}
 
     Emitter<robots::GripperGrippedPayload, double, bool> gripped;
   };
@@ -192,17 +210,19 @@ class Required<robots::Names> : public RequiredBase {
   Required(Component& owner, std::string_view nameGiven)
       : Required(owner, nameGiven, interfaceInfo<Contract>()) {}
 
-  Command<&Contract::queue, robots::NamesQueueArguments> queue{
-      *this, static_cast<std::uint16_t>(Id::queue)};
-  ReturningCommand<&Contract::name, robots::NamesNameArguments, std::uint8_t> name{
-      *this, static_cast<std::uint16_t>(Id::name)};
-  ReadCommand<&Contract::range, double> range{*this, static_cast<std::uint16_t>(Id::range)};
+  /// Write: up to 4 wait.
+  Command<&Contract::queue, robots::NamesQueueArguments> queue{*this, Id::queue};
+  /// Write with return: up to 16 wait. `within()` waits 1 s for the answer.
+  ReturningCommand<&Contract::name, robots::NamesNameArguments, std::uint8_t> name{*this, Id::name};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::range, double> range{*this, Id::range};
 
   /// Subscribes to the events of robots::Names.
   struct Events {
     explicit Events(RequiredBase& required)
-        : latched{required, static_cast<std::uint16_t>(EventId::latched)} {}
+        : latched{required, EventId::latched} {}
 
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<double, double> latched;
   };
   Events& on() { return events_; }
@@ -229,7 +249,7 @@ class Provided<robots::Names> : public ProvidedBase {
   /// Emits the events of robots::Names.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : latched{provided, static_cast<std::uint16_t>(EventId::latched)} {}
+        : latched{provided, EventId::latched} {}
 
     Emitter<double, double> latched;
   };

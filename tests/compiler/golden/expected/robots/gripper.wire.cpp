@@ -155,7 +155,7 @@ suture::Errc decodeGripperOpeningColumn(wire::GripperStateRow::Reader in, double
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeGripperColumn(unsigned column, const std::byte* memory,
                          wire::GripperStateRow::Builder out) {
-  switch (static_cast<GripperColumn>(column)) {
+  switch (column) {
     case GripperColumn::measured_cp:
       return encodeGripperMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case GripperColumn::mode:
@@ -169,7 +169,7 @@ void encodeGripperColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned column,
                                  std::byte* memory, suture::Duration shift) {
-  switch (static_cast<GripperColumn>(column)) {
+  switch (column) {
     case GripperColumn::measured_cp:
       return decodeGripperMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case GripperColumn::mode:
@@ -307,13 +307,13 @@ suture::Errc decodeNamesRangeColumn(wire::NamesStateRow::Reader in, double& slot
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeNamesColumn(unsigned column, const std::byte* memory, wire::NamesStateRow::Builder out) {
-  switch (static_cast<NamesColumn>(column)) {
+  switch (column) {
     case NamesColumn::range: return encodeNamesRangeColumn(suture::slotIn<double>(memory), out);
   }
 }
 suture::Errc decodeNamesColumn(wire::NamesStateRow::Reader in, unsigned column, std::byte* memory,
                                suture::Duration shift) {
-  switch (static_cast<NamesColumn>(column)) {
+  switch (column) {
     case NamesColumn::range:
       return decodeNamesRangeColumn(in, suture::newSlot<double>(memory), shift);
   }

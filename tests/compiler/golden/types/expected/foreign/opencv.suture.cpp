@@ -106,7 +106,7 @@ constexpr suture::CommandInfo kCameraCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<ViewSlot>,
      .depth = 16,
-     .column = static_cast<int>(CameraColumn::view),
+     .column = CameraColumn::view,
      .acceptsResult = suture::checkSlot<ViewSlot, isValid>},
 };
 
@@ -179,7 +179,7 @@ struct Provided<foreign::Camera>::Dispatch {
 Errc Provided<foreign::Camera>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::foreign::CameraCommand;
-  switch (static_cast<CameraCommand>(command)) {
+  switch (command) {
     case CameraCommand::aim: return Dispatch::execute_aim(implementation_, scratch_, arguments);
     case CameraCommand::view: return Dispatch::execute_view(implementation_, result);
   }

@@ -1,4 +1,7 @@
 // Written by suturec from foreign/opencv.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. opencv.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -50,15 +53,19 @@ struct CameraAimArguments {
 
 bool store(const cv::Point3d& at, CameraAimArguments& slot);
 
-/// Names the numbers of Camera's commands in every table and record.
-enum class CameraCommand : std::uint16_t {
-  aim,
-  view,
+/// Numbers the commands of Camera.
+struct CameraCommand {
+  enum : std::uint16_t {
+    aim,
+    view,
+  };
 };
 
-/// Names where a row of the state has each read of Camera.
-enum class CameraColumn : std::uint16_t {
-  view,
+/// Numbers the reads of Camera as a row of the state has them.
+struct CameraColumn {
+  enum : std::uint16_t {
+    view,
+  };
 };
 
 }  // namespace foreign
@@ -93,9 +100,10 @@ class Required<foreign::Camera> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  Command<&Contract::aim, foreign::CameraAimArguments> aim{
-      *this, static_cast<std::uint16_t>(Id::aim)};
-  ReadCommand<&Contract::view, foreign::ViewSlot> view{*this, static_cast<std::uint16_t>(Id::view)};
+  /// Write: up to 16 wait.
+  Command<&Contract::aim, foreign::CameraAimArguments> aim{*this, Id::aim};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::view, foreign::ViewSlot> view{*this, Id::view};
 
  protected:
   // For contracts that derive from this one.

@@ -83,13 +83,13 @@ suture::Errc decodeCameraViewColumn(wire::CameraStateRow::Reader in, ViewSlot& s
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeCameraColumn(unsigned column, const std::byte* memory,
                         wire::CameraStateRow::Builder out) {
-  switch (static_cast<CameraColumn>(column)) {
+  switch (column) {
     case CameraColumn::view: return encodeCameraViewColumn(suture::slotIn<ViewSlot>(memory), out);
   }
 }
 suture::Errc decodeCameraColumn(wire::CameraStateRow::Reader in, unsigned column, std::byte* memory,
                                 suture::Duration shift) {
-  switch (static_cast<CameraColumn>(column)) {
+  switch (column) {
     case CameraColumn::view:
       return decodeCameraViewColumn(in, suture::newSlot<ViewSlot>(memory), shift);
   }

@@ -342,25 +342,25 @@ constexpr suture::CommandInfo kStoreCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<SequencesSlot>,
      .depth = 16,
-     .column = static_cast<int>(StoreColumn::sequences),
+     .column = StoreColumn::sequences,
      .acceptsResult = suture::checkSlot<SequencesSlot, isValid>},
     {.name = "choices",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<ChoicesSlot>,
      .depth = 16,
-     .column = static_cast<int>(StoreColumn::choices),
+     .column = StoreColumn::choices,
      .acceptsResult = suture::checkSlot<ChoicesSlot, isValid>},
     {.name = "matrices",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<MatricesSlot>,
      .depth = 16,
-     .column = static_cast<int>(StoreColumn::matrices),
+     .column = StoreColumn::matrices,
      .acceptsResult = suture::checkSlot<MatricesSlot, isValid>},
     {.name = "reading",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<suture::SlotTuple<double, std::int16_t>>,
      .depth = 16,
-     .column = static_cast<int>(StoreColumn::reading),
+     .column = StoreColumn::reading,
      .acceptsResult = suture::checkSlot<suture::SlotTuple<double, std::int16_t>, acceptsStoreReadingResult>},
 };
 
@@ -619,7 +619,7 @@ struct Provided<shapes::Store>::Dispatch {
 Errc Provided<shapes::Store>::execute(std::uint16_t command, const std::byte* arguments,
                                       std::byte* result) {
   using ::shapes::StoreCommand;
-  switch (static_cast<StoreCommand>(command)) {
+  switch (command) {
     case StoreCommand::put: return Dispatch::execute_put(implementation_, scratch_, arguments);
     case StoreCommand::choose:
       return Dispatch::execute_choose(implementation_, scratch_, arguments);

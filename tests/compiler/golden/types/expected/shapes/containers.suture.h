@@ -1,4 +1,7 @@
 // Written by suturec from shapes/containers.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. containers.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -105,27 +108,33 @@ struct StoreChooseArguments {
 
 bool store(const std::optional<double>& gain, StoreChooseArguments& slot);
 
-/// Names the numbers of Store's commands in every table and record.
-enum class StoreCommand : std::uint16_t {
-  put,
-  choose,
-  sequences,
-  choices,
-  matrices,
-  reading,
+/// Numbers the commands of Store.
+struct StoreCommand {
+  enum : std::uint16_t {
+    put,
+    choose,
+    sequences,
+    choices,
+    matrices,
+    reading,
+  };
 };
 
-/// Names the numbers of Store's events.
-enum class StoreEvent : std::uint16_t {
-  changed,
+/// Numbers the events of Store.
+struct StoreEvent {
+  enum : std::uint16_t {
+    changed,
+  };
 };
 
-/// Names where a row of the state has each read of Store.
-enum class StoreColumn : std::uint16_t {
-  sequences,
-  choices,
-  matrices,
-  reading,
+/// Numbers the reads of Store as a row of the state has them.
+struct StoreColumn {
+  enum : std::uint16_t {
+    sequences,
+    choices,
+    matrices,
+    reading,
+  };
 };
 
 }  // namespace shapes
@@ -166,24 +175,26 @@ class Required<shapes::Store> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  Command<&Contract::put, shapes::StorePutArguments> put{
-      *this, static_cast<std::uint16_t>(Id::put)};
-  Command<&Contract::choose, shapes::StoreChooseArguments> choose{
-      *this, static_cast<std::uint16_t>(Id::choose)};
-  ReadCommand<&Contract::sequences, shapes::SequencesSlot> sequences{
-      *this, static_cast<std::uint16_t>(Id::sequences)};
-  ReadCommand<&Contract::choices, shapes::ChoicesSlot> choices{
-      *this, static_cast<std::uint16_t>(Id::choices)};
-  ReadCommand<&Contract::matrices, shapes::MatricesSlot> matrices{
-      *this, static_cast<std::uint16_t>(Id::matrices)};
+  /// Write: up to 16 wait.
+  Command<&Contract::put, shapes::StorePutArguments> put{*this, Id::put};
+  /// Write: up to 16 wait.
+  Command<&Contract::choose, shapes::StoreChooseArguments> choose{*this, Id::choose};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::sequences, shapes::SequencesSlot> sequences{*this, Id::sequences};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::choices, shapes::ChoicesSlot> choices{*this, Id::choices};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::matrices, shapes::MatricesSlot> matrices{*this, Id::matrices};
+  /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::reading, suture::SlotTuple<double, std::int16_t>> reading{
-      *this, static_cast<std::uint16_t>(Id::reading)};
+      *this, Id::reading};
 
   /// Subscribes to the events of shapes::Store.
   struct Events {
     explicit Events(RequiredBase& required)
-        : changed{required, static_cast<std::uint16_t>(EventId::changed)} {}
+        : changed{required, EventId::changed} {}
 
+    /// At a subscriber up to 16 wait.
     Subscription<suture::SlotVariant<double, shapes::PointSlot>,
                  std::variant<double, shapes::Point>> changed;
   };
@@ -211,7 +222,7 @@ class Provided<shapes::Store> : public ProvidedBase {
   /// Emits the events of shapes::Store.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : changed{provided, static_cast<std::uint16_t>(EventId::changed)} {}
+        : changed{provided, EventId::changed} {}
 
     Emitter<suture::SlotVariant<double, shapes::PointSlot>,
             std::variant<double, shapes::Point>> changed;

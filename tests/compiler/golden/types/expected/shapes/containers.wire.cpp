@@ -599,7 +599,7 @@ suture::Errc decodeStoreReadingColumn(wire::StoreStateRow::Reader in,
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeStoreColumn(unsigned column, const std::byte* memory, wire::StoreStateRow::Builder out) {
-  switch (static_cast<StoreColumn>(column)) {
+  switch (column) {
     case StoreColumn::sequences:
       return encodeStoreSequencesColumn(suture::slotIn<SequencesSlot>(memory), out);
     case StoreColumn::choices:
@@ -613,7 +613,7 @@ void encodeStoreColumn(unsigned column, const std::byte* memory, wire::StoreStat
 }
 suture::Errc decodeStoreColumn(wire::StoreStateRow::Reader in, unsigned column, std::byte* memory,
                                suture::Duration shift) {
-  switch (static_cast<StoreColumn>(column)) {
+  switch (column) {
     case StoreColumn::sequences:
       return decodeStoreSequencesColumn(in, suture::newSlot<SequencesSlot>(memory), shift);
     case StoreColumn::choices:

@@ -202,7 +202,7 @@ constexpr suture::CommandInfo kRecorderCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<LargeSlot>,
      .depth = 16,
-     .column = static_cast<int>(RecorderColumn::kept),
+     .column = RecorderColumn::kept,
      .acceptsResult = suture::checkSlot<LargeSlot, isValid>,
      .resultLevels = kRecorderKeptResultLevels},
 };
@@ -372,7 +372,7 @@ struct Provided<shapes::Recorder>::Dispatch {
 Errc Provided<shapes::Recorder>::execute(std::uint16_t command, const std::byte* arguments,
                                          std::byte* result) {
   using ::shapes::RecorderCommand;
-  switch (static_cast<RecorderCommand>(command)) {
+  switch (command) {
     case RecorderCommand::keep: return Dispatch::execute_keep(implementation_, scratch_, arguments);
     case RecorderCommand::rename:
       return Dispatch::execute_rename(implementation_, scratch_, arguments);

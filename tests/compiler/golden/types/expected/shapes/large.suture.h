@@ -1,4 +1,7 @@
 // Written by suturec from shapes/large.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. large.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -72,22 +75,28 @@ bool store(const std::int32_t& value, const Large& value2, RecorderSaidPayload& 
 void load(const RecorderSaidPayload& slot, std::int32_t& value, Large& value2);
 void reserve(const RecorderSaidPayload*, std::int32_t& /*value*/, Large& value2);
 
-/// Names the numbers of Recorder's commands in every table and record.
-enum class RecorderCommand : std::uint16_t {
-  keep,
-  rename,
-  kept,
+/// Numbers the commands of Recorder.
+struct RecorderCommand {
+  enum : std::uint16_t {
+    keep,
+    rename,
+    kept,
+  };
 };
 
-/// Names the numbers of Recorder's events.
-enum class RecorderEvent : std::uint16_t {
-  heard,
-  said,
+/// Numbers the events of Recorder.
+struct RecorderEvent {
+  enum : std::uint16_t {
+    heard,
+    said,
+  };
 };
 
-/// Names where a row of the state has each read of Recorder.
-enum class RecorderColumn : std::uint16_t {
-  kept,
+/// Numbers the reads of Recorder as a row of the state has them.
+struct RecorderColumn {
+  enum : std::uint16_t {
+    kept,
+  };
 };
 
 }  // namespace shapes
@@ -118,19 +127,22 @@ class Required<shapes::Recorder> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  Command<&Contract::keep, shapes::RecorderKeepArguments> keep{
-      *this, static_cast<std::uint16_t>(Id::keep)};
-  Command<&Contract::rename, shapes::RecorderRenameArguments> rename{
-      *this, static_cast<std::uint16_t>(Id::rename)};
-  ReadCommand<&Contract::kept, shapes::LargeSlot> kept{*this, static_cast<std::uint16_t>(Id::kept)};
+  /// Write: up to 16 wait.
+  Command<&Contract::keep, shapes::RecorderKeepArguments> keep{*this, Id::keep};
+  /// Write: up to 16 wait.
+  Command<&Contract::rename, shapes::RecorderRenameArguments> rename{*this, Id::rename};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::kept, shapes::LargeSlot> kept{*this, Id::kept};
 
   /// Subscribes to the events of shapes::Recorder.
   struct Events {
     explicit Events(RequiredBase& required)
-        : heard{required, static_cast<std::uint16_t>(EventId::heard)},
-          said{required, static_cast<std::uint16_t>(EventId::said)} {}
+        : heard{required, EventId::heard},
+          said{required, EventId::said} {}
 
+    /// At a subscriber up to 16 wait.
     Subscription<shapes::TraceSlot, shapes::Trace> heard;
+    /// At a subscriber up to 16 wait.
     Subscription<shapes::RecorderSaidPayload, std::int32_t, shapes::Large> said;
   };
   Events& on() { return events_; }
@@ -157,8 +169,8 @@ class Provided<shapes::Recorder> : public ProvidedBase {
   /// Emits the events of shapes::Recorder.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : heard{provided, static_cast<std::uint16_t>(EventId::heard)},
-          said{provided, static_cast<std::uint16_t>(EventId::said)} {}
+        : heard{provided, EventId::heard},
+          said{provided, EventId::said} {}
 
     Emitter<shapes::TraceSlot, shapes::Trace> heard;
     Emitter<shapes::RecorderSaidPayload, std::int32_t, shapes::Large> said;

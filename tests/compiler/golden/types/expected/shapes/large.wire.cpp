@@ -207,14 +207,14 @@ suture::Errc decodeRecorderKeptColumn(wire::RecorderStateRow::Reader in, LargeSl
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeRecorderColumn(unsigned column, const std::byte* memory,
                           wire::RecorderStateRow::Builder out) {
-  switch (static_cast<RecorderColumn>(column)) {
+  switch (column) {
     case RecorderColumn::kept:
       return encodeRecorderKeptColumn(suture::slotIn<LargeSlot>(memory), out);
   }
 }
 suture::Errc decodeRecorderColumn(wire::RecorderStateRow::Reader in, unsigned column,
                                   std::byte* memory, suture::Duration shift) {
-  switch (static_cast<RecorderColumn>(column)) {
+  switch (column) {
     case RecorderColumn::kept:
       return decodeRecorderKeptColumn(in, suture::newSlot<LargeSlot>(memory), shift);
   }

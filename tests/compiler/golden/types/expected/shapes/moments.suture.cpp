@@ -205,13 +205,13 @@ constexpr suture::CommandInfo kJournalCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<std::int64_t>,
      .depth = 16,
-     .column = static_cast<int>(JournalColumn::latest),
+     .column = JournalColumn::latest,
      .shiftResult = suture::shiftSlot<std::int64_t, shiftJournalLatestResult>},
     {.name = "moments",
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<MomentsSlot>,
      .depth = 16,
-     .column = static_cast<int>(JournalColumn::moments),
+     .column = JournalColumn::moments,
      .acceptsResult = suture::checkSlot<MomentsSlot, isValid>,
      .shiftResult = suture::shiftSlot<MomentsSlot>},
     {.name = "find",
@@ -386,7 +386,7 @@ struct Provided<shapes::Journal>::Dispatch {
 Errc Provided<shapes::Journal>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::shapes::JournalCommand;
-  switch (static_cast<JournalCommand>(command)) {
+  switch (command) {
     case JournalCommand::put: return Dispatch::execute_put(implementation_, scratch_, arguments);
     case JournalCommand::count:
       return Dispatch::execute_count(implementation_, scratch_, arguments);

@@ -1,4 +1,7 @@
 // Written by suturec from shapes/moments.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. moments.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -78,26 +81,32 @@ bool store(const Moment& value, const std::int64_t& value2, JournalChangedPayloa
 void load(const JournalChangedPayload& slot, Moment& value, std::int64_t& value2);
 void shiftStamps(JournalChangedPayload& slot, suture::Duration shift);
 
-/// Names the numbers of Journal's commands in every table and record.
-enum class JournalCommand : std::uint16_t {
-  put,
-  count,
-  latest,
-  moments,
-  find,
+/// Numbers the commands of Journal.
+struct JournalCommand {
+  enum : std::uint16_t {
+    put,
+    count,
+    latest,
+    moments,
+    find,
+  };
 };
 
-/// Names the numbers of Journal's events.
-enum class JournalEvent : std::uint16_t {
-  added,
-  changed,
-  counted,
+/// Numbers the events of Journal.
+struct JournalEvent {
+  enum : std::uint16_t {
+    added,
+    changed,
+    counted,
+  };
 };
 
-/// Names where a row of the state has each read of Journal.
-enum class JournalColumn : std::uint16_t {
-  latest,
-  moments,
+/// Numbers the reads of Journal as a row of the state has them.
+struct JournalColumn {
+  enum : std::uint16_t {
+    latest,
+    moments,
+  };
 };
 
 }  // namespace shapes
@@ -128,27 +137,30 @@ class Required<shapes::Journal> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  Command<&Contract::put, shapes::JournalPutArguments> put{
-      *this, static_cast<std::uint16_t>(Id::put)};
-  Command<&Contract::count, shapes::JournalCountArguments> count{
-      *this, static_cast<std::uint16_t>(Id::count)};
-  ReadCommand<&Contract::latest, std::int64_t> latest{
-      *this, static_cast<std::uint16_t>(Id::latest)};
-  ReadCommand<&Contract::moments, shapes::MomentsSlot> moments{
-      *this, static_cast<std::uint16_t>(Id::moments)};
+  /// Write: up to 16 wait.
+  Command<&Contract::put, shapes::JournalPutArguments> put{*this, Id::put};
+  /// Write: up to 16 wait.
+  Command<&Contract::count, shapes::JournalCountArguments> count{*this, Id::count};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::latest, std::int64_t> latest{*this, Id::latest};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::moments, shapes::MomentsSlot> moments{*this, Id::moments};
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::find, shapes::JournalFindArguments,
-                       suture::SlotOptional<shapes::MomentSlot>> find{
-      *this, static_cast<std::uint16_t>(Id::find)};
+                       suture::SlotOptional<shapes::MomentSlot>> find{*this, Id::find};
 
   /// Subscribes to the events of shapes::Journal.
   struct Events {
     explicit Events(RequiredBase& required)
-        : added{required, static_cast<std::uint16_t>(EventId::added)},
-          changed{required, static_cast<std::uint16_t>(EventId::changed)},
-          counted{required, static_cast<std::uint16_t>(EventId::counted)} {}
+        : added{required, EventId::added},
+          changed{required, EventId::changed},
+          counted{required, EventId::counted} {}
 
+    /// At a subscriber up to 16 wait.
     Subscription<std::int64_t, std::chrono::steady_clock::time_point> added;
+    /// At a subscriber up to 16 wait.
     Subscription<shapes::JournalChangedPayload, shapes::Moment, std::int64_t> changed;
+    /// At a subscriber up to 16 wait.
     Subscription<std::int64_t, std::int64_t> counted;
   };
   Events& on() { return events_; }
@@ -175,9 +187,9 @@ class Provided<shapes::Journal> : public ProvidedBase {
   /// Emits the events of shapes::Journal.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : added{provided, static_cast<std::uint16_t>(EventId::added)},
-          changed{provided, static_cast<std::uint16_t>(EventId::changed)},
-          counted{provided, static_cast<std::uint16_t>(EventId::counted)} {}
+        : added{provided, EventId::added},
+          changed{provided, EventId::changed},
+          counted{provided, EventId::counted} {}
 
     Emitter<std::int64_t, std::chrono::steady_clock::time_point> added;
     Emitter<shapes::JournalChangedPayload, shapes::Moment, std::int64_t> changed;

@@ -274,7 +274,7 @@ suture::Errc decodeJournalMomentsColumn(wire::JournalStateRow::Reader in, Moment
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeJournalColumn(unsigned column, const std::byte* memory,
                          wire::JournalStateRow::Builder out) {
-  switch (static_cast<JournalColumn>(column)) {
+  switch (column) {
     case JournalColumn::latest:
       return encodeJournalLatestColumn(suture::slotIn<std::int64_t>(memory), out);
     case JournalColumn::moments:
@@ -283,7 +283,7 @@ void encodeJournalColumn(unsigned column, const std::byte* memory,
 }
 suture::Errc decodeJournalColumn(wire::JournalStateRow::Reader in, unsigned column,
                                  std::byte* memory, suture::Duration shift) {
-  switch (static_cast<JournalColumn>(column)) {
+  switch (column) {
     case JournalColumn::latest:
       return decodeJournalLatestColumn(in, suture::newSlot<std::int64_t>(memory), shift);
     case JournalColumn::moments:

@@ -228,7 +228,7 @@ constexpr suture::CommandInfo kArchiveCommands[] = {
      .kind = suture::CommandKind::Read,
      .resultSize = suture::slotSize<OpenSlot>,
      .depth = 16,
-     .column = static_cast<int>(ArchiveColumn::newest),
+     .column = ArchiveColumn::newest,
      .sharedResult = true,
      .acceptsResult = suture::checkSlot<OpenSlot, isValid>},
     {.name = "find",
@@ -452,7 +452,7 @@ struct Provided<shapes::Archive>::Dispatch {
 Errc Provided<shapes::Archive>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::shapes::ArchiveCommand;
-  switch (static_cast<ArchiveCommand>(command)) {
+  switch (command) {
     case ArchiveCommand::put: return Dispatch::execute_put(implementation_, scratch_, arguments);
     case ArchiveCommand::remark:
       return Dispatch::execute_remark(implementation_, scratch_, arguments);

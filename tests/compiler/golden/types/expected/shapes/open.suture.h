@@ -1,4 +1,7 @@
 // Written by suturec from shapes/open.h. Do not edit.
+//
+// Required<Contract> calls a contract and Provided<Contract> serves it: both stand below
+// the slots, in which arguments wait. open.suture.md has the reference.
 #pragma once
 
 #include <suture/base/encoding.h>
@@ -104,25 +107,31 @@ struct ArchiveGrownPayload {
 bool store(const std::string& value, const Root& value2, ArchiveGrownPayload& slot);
 void load(const ArchiveGrownPayload& slot, std::string& value, Root& value2);
 
-/// Names the numbers of Archive's commands in every table and record.
-enum class ArchiveCommand : std::uint16_t {
-  put,
-  remark,
-  newest,
-  find,
-  replace,
+/// Numbers the commands of Archive.
+struct ArchiveCommand {
+  enum : std::uint16_t {
+    put,
+    remark,
+    newest,
+    find,
+    replace,
+  };
 };
 
-/// Names the numbers of Archive's events.
-enum class ArchiveEvent : std::uint16_t {
-  renamed,
-  grown,
-  changed,
+/// Numbers the events of Archive.
+struct ArchiveEvent {
+  enum : std::uint16_t {
+    renamed,
+    grown,
+    changed,
+  };
 };
 
-/// Names where a row of the state has each read of Archive.
-enum class ArchiveColumn : std::uint16_t {
-  newest,
+/// Numbers the reads of Archive as a row of the state has them.
+struct ArchiveColumn {
+  enum : std::uint16_t {
+    newest,
+  };
 };
 
 }  // namespace shapes
@@ -159,27 +168,31 @@ class Required<shapes::Archive> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Keeps `value` under `key`.
-  Command<&Contract::put, shapes::ArchivePutArguments> put{
-      *this, static_cast<std::uint16_t>(Id::put)};
-  Command<&Contract::remark, shapes::ArchiveRemarkArguments> remark{
-      *this, static_cast<std::uint16_t>(Id::remark)};
-  ReadCommand<&Contract::newest, shapes::OpenSlot> newest{
-      *this, static_cast<std::uint16_t>(Id::newest)};
+  /// Write: up to 16 wait.
+  Command<&Contract::put, shapes::ArchivePutArguments> put{*this, Id::put};
+  /// Write: a newer one replaces the one that waits.
+  Command<&Contract::remark, shapes::ArchiveRemarkArguments> remark{*this, Id::remark};
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::newest, shapes::OpenSlot> newest{*this, Id::newest};
+  /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::find, shapes::ArchiveFindArguments,
-                       suture::OpenList<suture::OpenText>> find{
-      *this, static_cast<std::uint16_t>(Id::find)};
+                       suture::OpenList<suture::OpenText>> find{*this, Id::find};
+  /// Write with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::replace, shapes::ArchiveReplaceArguments, shapes::OpenSlot> replace{
-      *this, static_cast<std::uint16_t>(Id::replace)};
+      *this, Id::replace};
 
   /// Subscribes to the events of shapes::Archive.
   struct Events {
     explicit Events(RequiredBase& required)
-        : renamed{required, static_cast<std::uint16_t>(EventId::renamed)},
-          grown{required, static_cast<std::uint16_t>(EventId::grown)},
-          changed{required, static_cast<std::uint16_t>(EventId::changed)} {}
+        : renamed{required, EventId::renamed},
+          grown{required, EventId::grown},
+          changed{required, EventId::changed} {}
 
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<suture::OpenText, std::string> renamed;
+    /// At a subscriber up to 16 wait.
     Subscription<shapes::ArchiveGrownPayload, std::string, shapes::Root> grown;
+    /// At a subscriber a newer one replaces the one that waits.
     Subscription<shapes::OpenSlot, shapes::Open> changed;
   };
   Events& on() { return events_; }
@@ -206,9 +219,9 @@ class Provided<shapes::Archive> : public ProvidedBase {
   /// Emits the events of shapes::Archive.
   struct Events {
     explicit Events(ProvidedBase& provided)
-        : renamed{provided, static_cast<std::uint16_t>(EventId::renamed)},
-          grown{provided, static_cast<std::uint16_t>(EventId::grown)},
-          changed{provided, static_cast<std::uint16_t>(EventId::changed)} {}
+        : renamed{provided, EventId::renamed},
+          grown{provided, EventId::grown},
+          changed{provided, EventId::changed} {}
 
     Emitter<suture::OpenText, std::string> renamed;
     Emitter<shapes::ArchiveGrownPayload, std::string, shapes::Root> grown;

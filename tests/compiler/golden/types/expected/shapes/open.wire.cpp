@@ -343,14 +343,14 @@ suture::Errc decodeArchiveNewestColumn(wire::ArchiveStateRow::Reader in, OpenSlo
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeArchiveColumn(unsigned column, const std::byte* memory,
                          wire::ArchiveStateRow::Builder out) {
-  switch (static_cast<ArchiveColumn>(column)) {
+  switch (column) {
     case ArchiveColumn::newest:
       return encodeArchiveNewestColumn(suture::slotIn<OpenSlot>(memory), out);
   }
 }
 suture::Errc decodeArchiveColumn(wire::ArchiveStateRow::Reader in, unsigned column,
                                  std::byte* memory, suture::Duration shift) {
-  switch (static_cast<ArchiveColumn>(column)) {
+  switch (column) {
     case ArchiveColumn::newest:
       return decodeArchiveNewestColumn(in, suture::newSlot<OpenSlot>(memory), shift);
   }
