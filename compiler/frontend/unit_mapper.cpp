@@ -28,9 +28,10 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   Visitor(Mapping& mapping, TypeNames& names, HeaderTable& headers, AnnotationUses& uses)
       : mapping_(mapping), names_(names), headers_(headers), uses_(uses) {}
 
-  // Skip two libraries that hold nothing annotated: they would take a third of the time.
+  // Skip two libraries that hold nothing annotated: they would take a third of the time. Parts of
+  // std stand within extern "C++".
   bool TraverseNamespaceDecl(clang::NamespaceDecl* space) {
-    const bool library = space->getDeclContext()->isTranslationUnit() &&
+    const bool library = space->getDeclContext()->getRedeclContext()->isTranslationUnit() &&
                          (space->getName() == "std" || space->getName() == "Eigen");
     return library || RecursiveASTVisitor::TraverseNamespaceDecl(space);
   }
