@@ -5,10 +5,11 @@ get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(precompiled ${PROJECT_BINARY_DIR}/tests/compiler/standard_headers.pch)
 if(NOT TARGET suture_standard_headers)
   set(standard_headers ${CMAKE_CURRENT_LIST_DIR}/standard_headers.h)
-  # This takes the options that suturec itself gives to Clang, without which it refuses the file.
+  # This takes the options that suturec itself gives to Clang, without which it refuses the file. Clang would instantiate
+  # the templates that the headers use in each run anew, which was half of a run, did it not when it precompiles them.
   add_custom_command(
     OUTPUT ${precompiled}
-    COMMAND ${SUTURE_CLANGXX} -std=c++20 -DSUTUREC -nocudainc -nocudalib -isystem ${eigen} -MD -MT ${precompiled}
+    COMMAND ${SUTURE_CLANGXX} -std=c++20 -DSUTUREC -nocudainc -nocudalib -fpch-instantiate-templates -isystem ${eigen} -MD -MT ${precompiled}
       -MF ${precompiled}.d -x c++-header ${standard_headers} -o ${precompiled}
     DEPENDS ${standard_headers}
     DEPFILE ${precompiled}.d
