@@ -7,7 +7,9 @@ namespace suture::testing_detail {
 
 /// Belongs to the thread that makes it. Keeps that thread, and those that it starts from then on,
 /// on its present processor, because waking a thread of another processor costs several times what
-/// most cycles do. When it ends, that thread may run again wherever it was allowed to before.
+/// most cycles do. They are scheduled in batches too: else who is given the turn interrupts who
+/// gives it, and then has to wait until that one sleeps. When it ends, that thread runs again as it
+/// did before.
 class OneProcessor {
  public:
   OneProcessor();
@@ -17,6 +19,7 @@ class OneProcessor {
 
  private:
   cpu_set_t before_;
+  const int policy_;
 };
 
 }  // namespace suture::testing_detail

@@ -203,6 +203,21 @@ TEST(TestClock, KeepsThreadsThatTakeTurnsOnOneProcessor) {
   EXPECT_EQ(processors(), before);
 }
 
+TEST(TestClock, SchedulesThreadsThatTakeTurnsInBatches) {
+  const int before = sched_getscheduler(0);
+  ASSERT_EQ(before, SCHED_OTHER);
+  {
+    TestClock clock;
+    EXPECT_EQ(sched_getscheduler(0), SCHED_BATCH);
+    std::atomic<int> ofAnother{before};
+    rt::Thread another;
+    another.start("another", [&] { ofAnother = sched_getscheduler(0); });
+    another.join();
+    EXPECT_EQ(ofAnother, SCHED_BATCH);
+  }
+  EXPECT_EQ(sched_getscheduler(0), before);
+}
+
 TEST(TestClock, RunsThreadsTogetherIfAskedTo) {
   TestClock clock({.threads = Threads::Together});
   Counter one(1ms), other(1ms);
