@@ -20,27 +20,26 @@ timed() {  # timed FILE COMMAND...
   return $status
 }
 
-# run_tier PRESET TARGET [ARGUMENT OF CTEST...]
+# run_tier PRESET TARGET TESTS [ARGUMENT OF CTEST...]; TESTS are those that run at a time, for each processor.
 run_tier() {
-  local preset=$1 target=$2 records=build/$1/Testing
-  shift 2
+  local preset=$1 target=$2 tests=$3 records=build/$1/Testing
+  shift 3
   echo "=== $preset: build $target"
   mkdir -p "$records/cases"
   rm -f "$records"/seconds.* "$records"/cases/*.json "$records/tests.xml"
   cmake --preset "$preset" --log-level=WARNING >/dev/null
   timed "$records/seconds.build" cmake --build --preset "$preset" -j "$(nproc)" --target "$target" -- --quiet
   echo "=== $preset: test"
-  # Many tests wait more than they work.
-  timed "$records/seconds.test" ctest --preset "$preset" -j $((2 * $(nproc))) --output-junit Testing/tests.xml "$@"
+  timed "$records/seconds.test" ctest --preset "$preset" -j $((tests * $(nproc))) --output-junit Testing/tests.xml "$@"
 }
 
 for preset in "${presets[@]}"; do
   case "$preset" in
-    dev) run_tier dev all -LE long ;;
+    dev) run_tier dev all 3 -LE long ;;
     fast)
-      run_tier dev fast_tests -L fast
+      run_tier dev fast_tests 3 -L fast
       tests/tidy.sh
       ;;
-    *) run_tier "$preset" runtime_tests -L runtime ;;
+    *) run_tier "$preset" runtime_tests 2 -L runtime ;;
   esac
 done
