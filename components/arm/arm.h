@@ -128,10 +128,12 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
 
   /// Drops what is under way; the set-point stays where it is.
   SUTURE_COMMAND() virtual void hold() = 0;
-  /// Lets the set-point follow the joints until another command.
+  /// Lets the set-point follow the joints until another command. Drives that control efforts
+  /// release the joints: their motors do no more than carry the arm, if they are to.
   SUTURE_COMMAND() virtual void free() = 0;
-  /// Only makes the event gravity_compensation report it. It changes no motor, because compensation
-  /// belongs to the drives.
+  /// Says if the motors carry the arm's weight, in every state that has power; at first they do.
+  /// Drives that control efforts obey it. Without it a joint that is held sinks until its
+  /// controller carries it, and one that is released falls.
   SUTURE_COMMAND() virtual void use_gravity_compensation(bool use) = 0;
 
   /// Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at the limit.
@@ -140,8 +142,9 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   SUTURE_COMMAND(ttl(20ms)) virtual void servo_jr(const JointGoal& step) = 0;
   /// Streams joint velocities, newest wins: the set-point moves so fast, within the rate limits.
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_jv(const JointVelocityGoal& goal) = 0;
-  /// Streams joint efforts, newest wins: the set-point yields to each as if only a damper held the
-  /// joint (motion/stream_goals.cpp).
+  /// Streams what the motors give beside carrying the arm, newest wins. The joints are released;
+  /// those outside of the mask are held. If the drives control no effort, it moves the set-point at
+  /// a speed proportional to it, as a wrench does then.
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_jf(const JointEffortGoal& goal) = 0;
   /// Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along it, at the
   /// nearest point that the limits admit, and warns of AtLimit. A goal that is out of reach, or

@@ -19,7 +19,7 @@ void cycleOf(ArmController<N>& arm, CrtkArm<N>& contract, DriveLink<N>& link, To
   const auto reading = link.read();
   arm.step(now, reading);
   tool.step(now, reading);
-  link.command(arm.powered(), arm.setpoint(), tool.setpoint());
+  link.command(arm.powered(), arm.setpoint(), contract.motorOrder(), tool.setpoint());
   contract.publish(now);
 }
 

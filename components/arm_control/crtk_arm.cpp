@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arm_control/motion/goals.h"
+#include "arm_control/motion/shortened.h"
 #include "arm_control/tip_force.h"
 #include "timing/seconds.h"
 
@@ -39,16 +40,6 @@ void place(Wrench& wrench, const SpatialVector& value, suture::Time stamp, bool 
   wrench.torque = value.tail<3>();
   wrench.stamp = stamp;
   wrench.valid = valid;
-}
-
-/// Returns the step, shortened in its direction to what the joints can make.
-template <class Joints>
-Joints withinRates(const Joints& step, const Joints& most) {
-  double share = 1;
-  for (Eigen::Index i = 0; i < step.size(); ++i) {
-    if (std::abs(step[i]) > most[i]) share = std::min(share, most[i] / std::abs(step[i]));
-  }
-  return share * step;
 }
 
 /// Appends a bound to both lists; leaves them empty if the quantity has none.
@@ -197,16 +188,17 @@ void CrtkArm<N>::servo_jv(const JointVelocityGoal& goal) {
 
 template <int N>
 void CrtkArm<N>::servo_jf(const JointEffortGoal& goal) {
-  drive(streamGoal<N>(goal), "servo_jf");
+  constexpr const char* kActivity = "servo_jf";
+  if (!arm_.reading_.controls_effort) return drive(streamGoal<N>(goal), kActivity);
+  const auto push = pushOf<N>(goal);
+  if (!streams(arm_.mayMove(), push.has_value(), kActivity)) return;
+  stream_.push(push->effort, push->released, kActivity);
 }
 
 template <int N>
 void CrtkArm<N>::drive(const std::optional<JointStreamGoal<N>>& goal, const char* activity) {
-  if (!arm_.mayMove()) return;
-  if (!goal) return arm_.warn(ArmWarning::Malformed);
+  if (!streams(arm_.mayMove(), goal.has_value(), activity)) return;
   const Joints& limit = arm_.model_.rate_limit;
-  endPreviousStream();
-  arm_.followStream(arm_.setpoint_, {}, activity);
   stream_.follow(goal->rate.cwiseMax(-limit).cwiseMin(limit), activity, goal->bounds);
 }
 
@@ -224,21 +216,30 @@ void CrtkArm<N>::servo_cv(const TwistGoal& goal) {
 
 template <int N>
 void CrtkArm<N>::body_servo_cf(const WrenchGoal& goal) {
-  drive(Stream::Kind::BodyTwist, streamGoal(goal), "servo_cf", Eigen::Matrix3d::Identity());
+  press(Stream::Kind::BodyWrench, Stream::Kind::BodyTwist, goal);
 }
 
 template <int N>
 void CrtkArm<N>::spatial_servo_cf(const WrenchGoal& goal) {
-  drive(Stream::Kind::SpatialTwist, streamGoal(goal), "servo_cf", Eigen::Matrix3d::Identity());
+  press(Stream::Kind::SpatialWrench, Stream::Kind::SpatialTwist, goal);
+}
+
+template <int N>
+void CrtkArm<N>::press(typename Stream::Kind wrench, typename Stream::Kind twist,
+                       const WrenchGoal& goal) {
+  constexpr const char* kActivity = "servo_cf";
+  if (!arm_.reading_.controls_effort) {
+    return drive(twist, streamGoal(goal), kActivity, Eigen::Matrix3d::Identity());
+  }
+  const auto push = pushOf(goal);
+  if (!streams(arm_.mayMoveTip(), push.has_value(), kActivity)) return;
+  stream_.push(wrench, *push, kActivity);
 }
 
 template <int N>
 void CrtkArm<N>::drive(typename Stream::Kind kind, const std::optional<TwistStreamGoal>& goal,
                        const char* activity, const Eigen::Matrix3d& axes) {
-  if (!arm_.mayMoveTip()) return;
-  if (!goal) return arm_.warn(ArmWarning::Malformed);
-  endPreviousStream();
-  arm_.followStream(arm_.setpoint_, {}, activity);
+  if (!streams(arm_.mayMoveTip(), goal.has_value(), activity)) return;
   stream_.follow(kind, goal->twist, activity, {.change = goal->change, .axes = axes});
 }
 
@@ -306,6 +307,29 @@ void CrtkArm<N>::endPreviousStream() {
 }
 
 template <int N>
+bool CrtkArm<N>::streams(bool may, bool isWellFormed, const char* activity) {
+  if (!may) return false;
+  if (!isWellFormed) {
+    arm_.warn(ArmWarning::Malformed);
+    return false;
+  }
+  endPreviousStream();
+  arm_.followStream(arm_.setpoint_, {}, activity);
+  return true;
+}
+
+template <int N>
+MotorOrder<N> CrtkArm<N>::motorOrder() const {
+  MotorOrder<N> order;
+  if (streaming()) {
+    const ArmModel<N>& model = arm_.model_;
+    order = stream_.motors(model.chain, arm_.reading_.position, model.effort_limit);
+  }
+  order.compensation = gravityCompensation_;
+  return order;
+}
+
+template <int N>
 bool CrtkArm<N>::streaming() const {
   return stream_.isActive() && arm_.state_.state == ArmState::Enabled &&
          arm_.state_.sub_state == stream_.activity();
@@ -327,7 +351,7 @@ void CrtkArm<N>::advance(suture::Time now) {
   if (!next) return arm_.warn(ArmWarning::OutOfReach);
   // Beside a singularity the joints of two close poses may lie far apart.
   const Joints step = next->q - arm_.setpoint_;
-  arm_.setpoint_ += withinRates<Joints>(step, dt * arm_.model_.rate_limit);
+  arm_.setpoint_ += shortened<Joints>(step, dt * arm_.model_.rate_limit);
   if (next->limited && !streamSlides_) arm_.warnings_.tell(ArmWarning::AtLimit);
   streamSlides_ = next->limited;
 }

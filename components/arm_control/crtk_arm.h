@@ -18,8 +18,8 @@
 
 namespace robots {
 
-/// Belongs to the arm's thread; only the constructor allocates. An effort moves the set-point at a
-/// speed proportional to it, as if the joints had no mass.
+/// Belongs to the arm's thread; only the constructor allocates. If the drives control no efforts,
+/// an effort moves the set-point at a speed proportional to it.
 template <int N>
 class CrtkArm final : public Arm {
  public:
@@ -98,6 +98,9 @@ class CrtkArm final : public Arm {
   void advance(suture::Time now);
   /// Call this after the arm's step(). It evaluates what the reads answer.
   void publish(suture::Time now);
+  /// Returns what the motors do from this cycle on beside following the set-point. Call this after
+  /// the arm's step(), which may have ended what a client asked of them.
+  MotorOrder<N> motorOrder() const;
 
   /// Emits by `events` (what Provided<Arm>::emit() returns) what happened since the last call.
   template <class Events>
@@ -146,10 +149,14 @@ class CrtkArm final : public Arm {
   void setRatios(double velocity, double acceleration);
   bool streaming() const;
   void endPreviousStream();
+  /// Says that a goal of a stream has come. Returns true if the arm obeys it.
+  bool streams(bool may, bool isWellFormed, const char* activity);
   void drive(const std::optional<JointStreamGoal<N>>& goal, const char* activity);
   /// `axes` rotates from the axes of the goal to those of the base.
   void drive(typename Stream::Kind kind, const std::optional<TwistStreamGoal>& goal,
              const char* activity, const Eigen::Matrix3d& axes);
+  /// Lets the drives press with a wrench, or a twist move the set-point of those that cannot.
+  void press(typename Stream::Kind wrench, typename Stream::Kind twist, const WrenchGoal& goal);
   void publishMotion(suture::Time now);
   void publishForce();
   /// Returns the wrench that the arm presses with at its tip, along the base's axes, if the drives
@@ -162,7 +169,7 @@ class CrtkArm final : public Arm {
   suture::FrameId referenceFrame_ = 0, tipFrame_ = 0;
   TransformStamped base_;
   double ratioV_ = 1, ratioA_ = 1;
-  bool gravityCompensation_ = false;
+  bool gravityCompensation_ = true;
 
   Stream stream_;              // another activity of the arm ends it
   bool streamSlides_ = false;  // along a joint limit

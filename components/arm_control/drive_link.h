@@ -4,6 +4,7 @@
 #include <suture/base/time.h>
 #include <suture/component/required.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "arm_control/drive_reading.h"
 #include "drives/coupling.h"
 #include "drives/drives.suture.h"
+#include "drives/motor_order.h"
 #include "timing/cycle_watch.h"
 
 namespace robots {
@@ -48,13 +50,17 @@ class DriveLink {
   /// Call this once a cycle, after read(). Asks for power again until it is there, because a
   /// command may be lost. Drives that are silent get no goals, because the arm does not know where
   /// their joints are. `tool` is where the tool shall be, in rad.
-  void command(bool powered, const Joints& setpoint, double tool) {
+  void command(bool powered, const Joints& setpoint, const MotorOrder<N>& order, double tool) {
     if (powered && last_.power == DrivePower::Off) (void)drives_.power_on(last_.permitted);
     if (!powered && last_.power == DrivePower::On) (void)drives_.power_off();
     if (!powered || !isHeard_) return;
-    All joints;
+    All joints, efforts;
     joints << setpoint, tool;
+    efforts << order.effort, 0;
     All::Map(goal_.position.data()) = coupling_.actuators(joints);
+    All::Map(goal_.effort.data()) = coupling_.actuatorEfforts(efforts);
+    std::copy_n(order.released.data(), N, goal_.released.begin());
+    goal_.gravity_compensation = order.compensation;
     (void)drives_.servo_jp(goal_);
   }
 
@@ -72,7 +78,8 @@ class DriveLink {
             .stamp = told.stamp,
             .tool = {.position = position[N], .velocity = velocity[N], .effort = effort[N]},
             .effort = effort.template head<N>(),
-            .measures_effort = told.measures_effort};
+            .measures_effort = told.measures_effort,
+            .controls_effort = told.controls_effort};
   }
 
   static constexpr std::uint32_t kChannels = N + 1;  // the last is that of the tool

@@ -28,6 +28,7 @@ struct DriveReading {
   ToolReading tool = {};
   Joints effort = Joints::Zero();  ///< N.m, or N for a prismatic one
   bool measures_effort = false;    ///< if not, `effort` has no meaning
+  bool controls_effort = false;    ///< if not, they follow positions only
 };
 
 }  // namespace robots

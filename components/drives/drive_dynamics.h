@@ -14,7 +14,8 @@ enum class SUTURE_TYPE() DriveDynamics : std::uint8_t {
 
 /// Chooses the properties of joints with mass.
 struct SUTURE_TYPE() RigidBodyOptions {
-  /// If it is true, the motors carry the arm's weight beside what their controllers give.
+  /// If it is true, the motors carry the arm's weight beside what their controllers give, unless a
+  /// goal asks them not to. If it is false, they never do.
   bool gravity_compensation = true;
   /// If it is true, encoders read whole counts.
   bool quantisation = true;

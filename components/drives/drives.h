@@ -39,13 +39,26 @@ struct SUTURE_TYPE() DriveFeedback {
   /// Is true if `effort` is measured. Joints that are simulated without mass need none, and have 0;
   /// so does a simulated jaw, which has no mass whatever this says.
   bool measures_effort = false;
+  /// Is true if the drives obey what a goal says beside positions. Joints that are simulated
+  /// without mass have no effort, so their drives follow positions only.
+  bool controls_effort = false;
 };
 
-/// Says where the actuators shall be, in the same order. The entry of a gripper has no effect.
+/// Says where the actuators shall be, in the same order, and what their motors do beside that. The
+/// entry of a gripper has no effect.
 struct SUTURE_TYPE() DriveGoal {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};
   std::uint32_t joints = 0;
+  /// Is what the motors give beside what holds the joints and carries the arm. All together is cut
+  /// to what a motor can give.
+  SUTURE_FIELD(unit("N.m")) std::array<double, kMaxJoints> effort{};
+  /// Has an entry for each joint of the chain, not for each actuator. A joint for which it is true
+  /// is not held: its position here has no effect. At more than its rate limit it is slowed down.
+  std::array<bool, kMaxJoints> released{};
+  /// If it is true, the motors carry the arm's weight. It counts until the next goal, also after
+  /// the stream has ended.
+  bool gravity_compensation = true;
 };
 
 /// Commands run in the drives' own thread before its next cycle; the read is from the end of its
@@ -61,7 +74,8 @@ class SUTURE_INTERFACE() Drives {
   /// their weight.
   SUTURE_COMMAND() virtual void power_off() = 0;
   /// Streams goals, newest wins. Without power, or with the wrong number of joints, a goal changes
-  /// nothing. A stream that falls silent for 0.1 s leaves the joints where they are.
+  /// nothing. A stream that falls silent for 0.1 s leaves the joints where they are: they are held
+  /// there, and no effort of a goal acts any more.
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_jp(const DriveGoal& goal) = 0;
 
   SUTURE_COMMAND() virtual const DriveFeedback& feedback() const = 0;

@@ -30,6 +30,11 @@ class JointsAndTool final : public SimulatedJoints<N + 1> {
     joints_->command(setpoint.template head<N>());
     tool_->command(setpoint.template tail<1>());
   }
+  void order(const MotorOrder<N + 1>& order) override {
+    joints_->order({.effort = order.effort.template head<N>(),
+                    .released = order.released.template head<N>(),
+                    .compensation = order.compensation});
+  }
   void brake() override {
     joints_->brake();
     tool_->brake();

@@ -7,6 +7,8 @@
 namespace robots {
 namespace {
 
+constexpr double kSwitching = 0.2;  // s: for which compensation begins or ends
+
 template <int N>
 RigidBodyModel<N> checked(RigidBodyModel<N> model) {
   const bool possible =
@@ -66,11 +68,14 @@ void RigidBodyJoints<N>::command(const Joints& setpoint) {
   if (!std::exchange(powered_, true)) {
     setpoint_ = measured();
     setpointRate_.reset(setpoint_);
+    compensate(kSwitching);
   }
   if (const double dt = std::exchange(elapsed_, 0); dt > 0) {
     const Joints most = dt * model_.rate_limit;
     setpoint_ += (model_.chain.clamp(setpoint) - setpoint_).cwiseMin(most).cwiseMax(-most);
+    setpoint_ = order_.released.select(measured(), setpoint_);
     setpointRate_.update(setpoint_, dt);
+    compensate(dt);
   }
   const Joints& limit = model_.mechanics.motor_limit;
   const Joints asked = model_.coupling.actuatorEfforts(controlled());
@@ -78,13 +83,23 @@ void RigidBodyJoints<N>::command(const Joints& setpoint) {
 }
 
 template <int N>
+void RigidBodyJoints<N>::compensate(double dt) {
+  const double wanted = model_.gravity_compensation && order_.compensation ? 1 : 0;
+  const double most = dt / kSwitching;
+  carried_ += std::clamp(wanted - carried_, -most, most);
+}
+
+template <int N>
 typename RigidBodyJoints<N>::Joints RigidBodyJoints<N>::controlled() const {
-  const Joints late = setpointRate_.rate() - encoders_.velocity();
-  Joints effort =
-      model_.stiffness.cwiseProduct(setpoint_ - measured()) + model_.damping.cwiseProduct(late);
-  if (model_.gravity_compensation) {
+  const Joints velocity = encoders_.velocity();
+  const Joints slower = velocity.cwiseMax(-model_.rate_limit).cwiseMin(model_.rate_limit);
+  const Joints wanted = order_.released.select(slower, setpointRate_.rate());
+  const Joints stiffness = order_.released.select(0, model_.stiffness);
+  Joints effort = stiffness.cwiseProduct(setpoint_ - measured()) +
+                  model_.damping.cwiseProduct(wanted - velocity) + order_.effort;
+  if (carried_ > 0) {
     const auto& dynamics = motion_.dynamics();
-    effort += dynamics.gravity(dynamics.at(measured()));
+    effort += carried_ * dynamics.gravity(dynamics.at(measured()));
   }
   return effort;
 }

@@ -34,7 +34,9 @@ struct RigidBodyModel {
 };
 
 /// One thread; only the constructor throws or allocates. Each joint has a PD controller, which sees
-/// what the encoders measure, runs once a cycle, and gives its motor no more than the motor can.
+/// what the encoders measure, runs once a cycle, and gives its motor no more than the motor can. An
+/// order of efforts is added to that; a joint that is released has no controller, but is slowed
+/// down above its rate limit. Compensation begins and ends gradually, so that no joint jerks.
 /// Brakes, if there are any, hold at once and without slip. Equal models, commands and times give
 /// equal motion.
 template <int N>
@@ -48,6 +50,7 @@ class RigidBodyJoints final : public SimulatedJoints<N> {
 
   void advance(double dt) override;
   void command(const Joints& setpoint) override;
+  void order(const MotorOrder<N>& order) override { order_ = order; }
   void brake() override;
   const Joints& measured() const override { return encoders_.measured(); }
   Joints velocity() const override { return encoders_.velocity(); }
@@ -59,6 +62,7 @@ class RigidBodyJoints final : public SimulatedJoints<N> {
   const Joints& position() const { return motion_.position(); }
 
  private:
+  void compensate(double dt);
   Joints controlled() const;
 
   RigidBodyModel<N> model_;
@@ -66,6 +70,8 @@ class RigidBodyJoints final : public SimulatedJoints<N> {
   Encoders<N> encoders_;
   RateFilter<N> setpointRate_;  // as late as the measured velocities are
   Joints setpoint_;
+  MotorOrder<N> order_;
+  double carried_ = 0;  // the share of the arm's weight that the motors carry
   Joints effort_ = Joints::Zero();
   double elapsed_ = 0;  // s since the last command
   bool powered_ = false;

@@ -13,7 +13,7 @@ SimulatedDrives<N>::SimulatedDrives(std::unique_ptr<SimulatedJoints<N>> joints,
     : joints_(std::move(joints)), coupling_(coupling), goal_(joints_->measured()) {
   static_assert(N <= int{kMaxJoints});
   feedback_.joints = N;
-  feedback_.measures_effort = joints_->measuresEffort();
+  feedback_.measures_effort = feedback_.controls_effort = joints_->measuresEffort();
 }
 
 template <int N>
@@ -35,8 +35,13 @@ void SimulatedDrives<N>::power_off() {
 template <int N>
 void SimulatedDrives<N>::servo_jp(const DriveGoal& goal) {
   const Joints q = coupling_.joints(Joints::Map(goal.position.data()));
-  if (feedback_.power != DrivePower::On || goal.joints != N || !q.allFinite()) return;
+  const Joints effort = coupling_.jointEfforts(Joints::Map(goal.effort.data()));
+  const bool meant = goal.joints == N && q.allFinite() && effort.allFinite();
+  if (feedback_.power != DrivePower::On || !meant) return;
   goal_ = q;
+  order_ = {.effort = effort,
+            .released = Eigen::Array<bool, N, 1>::Map(goal.released.data()),
+            .compensation = goal.gravity_compensation};
   stream_.ask();
 }
 
@@ -66,6 +71,7 @@ void SimulatedDrives<N>::step(suture::Time now) {
     hold();
   }
   if (feedback_.power == DrivePower::On) {
+    joints_->order(order_);
     joints_->command(goal_);
   } else {
     hold();  // where the joints are now, which may not be where they were when the power went
@@ -78,8 +84,15 @@ void SimulatedDrives<N>::step(suture::Time now) {
 }
 
 template <int N>
+void SimulatedDrives<N>::hold() {
+  goal_ = joints_->measured();
+  order_ = {.compensation = order_.compensation};
+}
+
+template <int N>
 void SimulatedDrives<N>::enter(DrivePower power) {
   stream_.end();
+  hold();
   feedback_.power = power;
   powerChanged_ = true;
 }

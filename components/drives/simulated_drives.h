@@ -7,6 +7,7 @@
 
 #include "drives/coupling.h"
 #include "drives/drives.h"
+#include "drives/motor_order.h"
 #include "drives/simulated_joints.h"
 #include "timing/stream_watch.h"
 
@@ -63,11 +64,13 @@ class SimulatedDrives : public Drives {
 
  private:
   void enter(DrivePower power);
-  void hold() { goal_ = joints_->measured(); }
+  /// Holds all joints where they are, with the compensation that was asked for.
+  void hold();
 
   std::unique_ptr<SimulatedJoints<N>> joints_;
   const Coupling<N> coupling_;  // goals and feedback are of actuators
   Joints goal_;
+  MotorOrder<N> order_;
   StreamWatch stream_;
   suture::Time lastStep_;
   DriveFeedback feedback_;

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "drives/motor_order.h"
+
 namespace robots {
 
 /// One thread; no method allocates. Is N joints and what drives each of them. Vectors are in rad,
@@ -18,6 +20,9 @@ class SimulatedJoints {
   virtual void advance(double dt) = 0;
   /// Says that the joints have power, and where they shall be from now on.
   virtual void command(const Joints& setpoint) = 0;
+  /// Says what the motors do beside that from the next command on. It has no effect on joints
+  /// without mass.
+  virtual void order(const MotorOrder<N>& /*order*/) {}
   /// Says that the joints have no power; brakes, if they have any, hold them where they are.
   virtual void brake() = 0;
 
@@ -25,7 +30,7 @@ class SimulatedJoints {
   virtual Joints velocity() const = 0;
   /// Returns what the motors give, in N.m, or N for a prismatic joint; 0 for joints without mass.
   virtual Joints effort() const { return Joints::Zero(); }
-  /// Returns true if effort() is what moves the joints.
+  /// Returns true if effort() is what moves the joints, so that order() has an effect.
   virtual bool measuresEffort() const { return false; }
 };
 

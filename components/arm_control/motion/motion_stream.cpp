@@ -3,10 +3,31 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "arm_control/motion/shortened.h"
+
 namespace robots {
 
 using kinematics::rotated;
 using kinematics::SpatialVector;
+
+template <int N>
+void MotionStream<N>::beFree(std::string_view activity) {
+  begin(Kind::Free, activity);
+  order_ = {.released = Mask::Constant(true)};
+}
+
+template <int N>
+void MotionStream<N>::push(const Joints& effort, const Mask& released, std::string_view activity) {
+  begin(Kind::JointEffort, activity);
+  order_ = {.effort = effort, .released = released};
+}
+
+template <int N>
+void MotionStream<N>::push(Kind kind, const SpatialVector& wrench, std::string_view activity) {
+  begin(kind, activity);
+  order_ = {.released = Mask::Constant(true)};
+  wrench_ = wrench;
+}
 
 template <int N>
 void MotionStream<N>::begin(Kind kind, std::string_view activity) {
@@ -39,6 +60,7 @@ void MotionStream<N>::end() {
   watch_.end();
   rate_.stop();
   twist_.stop();
+  order_ = {};
 }
 
 template <int N>
@@ -47,7 +69,10 @@ std::optional<typename MotionStream<N>::Step> MotionStream<N>::next(
     const Joints& setpoint, const Joints& measured, double dt) {
   switch (kind_) {
     case Kind::None: return Step{setpoint};
-    case Kind::Free: return Step{measured};
+    case Kind::Free:
+    case Kind::JointEffort:
+    case Kind::BodyWrench:
+    case Kind::SpatialWrench: return Step{order_.released.select(measured, setpoint)};
     case Kind::JointRate: break;
     case Kind::BodyTwist:
     case Kind::SpatialTwist: return nextByTwist(chain, inverse, setpoint, dt);
@@ -83,6 +108,19 @@ std::optional<typename MotionStream<N>::Step> MotionStream<N>::nextByTwist(
   const auto solution = inverse(chain, pose, setpoint, kinematics::Postures::Near);
   if (!solution.found && !solution.limited) return std::nullopt;
   return Step{solution.q, solution.limited};
+}
+
+template <int N>
+MotorOrder<N> MotionStream<N>::motors(const kinematics::Chain<N>& chain, const Joints& measured,
+                                      const Joints& most) const {
+  MotorOrder<N> order = order_;
+  order.effort = order.effort.cwiseMax(-most).cwiseMin(most);
+  if (!isWrench()) return order;
+  const bool isOfBody = kind_ == Kind::BodyWrench;
+  const SpatialVector wrench =
+      isOfBody ? rotated(chain.forward(measured).linear(), wrench_) : wrench_;
+  order.effort = shortened<Joints>(chain.jacobian(measured).transpose() * wrench, most);
+  return order;
 }
 
 template class MotionStream<6>;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "arm_control/motion/rate_ramp.h"
+#include "drives/motor_order.h"
 #include "kinematics/inverse.h"
 #include "kinematics/spatial_vector.h"
 #include "timing/stream_watch.h"
@@ -20,11 +21,21 @@ class MotionStream {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
   using SpatialVector = kinematics::SpatialVector;
-  enum class Kind { None, Free, JointRate, BodyTwist, SpatialTwist };
+  using Mask = Eigen::Array<bool, N, 1>;
+  enum class Kind {
+    None,
+    Free,
+    JointRate,
+    BodyTwist,
+    SpatialTwist,
+    JointEffort,
+    BodyWrench,
+    SpatialWrench
+  };
 
   /// `activity` is a text of static storage, by which the arm says what it does meanwhile. This one
-  /// lets the set-point follow the joints.
-  void beFree(std::string_view activity) { begin(Kind::Free, activity); }
+  /// releases the joints and lets the set-point follow them.
+  void beFree(std::string_view activity);
   /// Bounds a rate, which is in rad/s or m/s.
   struct JointBounds {
     typename RateRamp<N>::Limits change = {};
@@ -41,11 +52,16 @@ class MotionStream {
   };
   void follow(Kind kind, const SpatialVector& twist, std::string_view activity,
               const TwistBounds& bounds);
+  /// Says what the motors give, in N.m or N. The joints outside of `released` are held.
+  void push(const Joints& effort, const Mask& released, std::string_view activity);
+  /// Says with which wrench the tip presses, along its own axes (BodyWrench) or those of the base
+  /// (SpatialWrench). All joints are released.
+  void push(Kind kind, const SpatialVector& wrench, std::string_view activity);
   void end();
 
   bool isActive() const { return kind_ != Kind::None; }
   /// Returns true if it moves the tip, and not single joints.
-  bool isOfTip() const { return kind_ == Kind::BodyTwist || kind_ == Kind::SpatialTwist; }
+  bool isOfTip() const { return isWrench() || isTwist(); }
   std::string_view activity() const { return activity_; }
 
   /// Call this once a cycle. Returns true if the stream has been silent for too long. free() needs
@@ -61,8 +77,14 @@ class MotionStream {
   std::optional<Step> next(const kinematics::Chain<N>& chain,
                            kinematics::InverseFunction<N> inverse, const Joints& setpoint,
                            const Joints& measured, double dt);
+  /// Returns what the motors of joints at `measured` do. A wrench that asks of a motor for more
+  /// than `most` is shortened in its direction, an effort of single joints is cut.
+  MotorOrder<N> motors(const kinematics::Chain<N>& chain, const Joints& measured,
+                       const Joints& most) const;
 
  private:
+  bool isTwist() const { return kind_ == Kind::BodyTwist || kind_ == Kind::SpatialTwist; }
+  bool isWrench() const { return kind_ == Kind::BodyWrench || kind_ == Kind::SpatialWrench; }
   void begin(Kind kind, std::string_view activity);
   Joints nextByRate(const Joints& setpoint, double dt);
   std::optional<Step> nextByTwist(const kinematics::Chain<N>& chain,
@@ -75,6 +97,8 @@ class MotionStream {
   std::optional<Joints> guard_;
   RateRamp<6> twist_;
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
+  MotorOrder<N> order_;  // its efforts are those of JointEffort
+  SpatialVector wrench_ = SpatialVector::Zero();
   StreamWatch watch_;
 };
 

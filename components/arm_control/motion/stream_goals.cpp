@@ -1,5 +1,6 @@
 #include "arm_control/motion/stream_goals.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -68,9 +69,9 @@ std::optional<JointStreamGoal<N>> streamGoal(const JointVelocityGoal& goal) {
 
 template <int N>
 std::optional<JointStreamGoal<N>> streamGoal(const JointEffortGoal& goal) {
-  const auto effort = masked<N>(goal.effort, goal.mask);
-  if (!effort) return std::nullopt;
-  return JointStreamGoal<N>{*effort / kJointDamping};
+  const auto push = pushOf<N>(goal);
+  if (!push) return std::nullopt;
+  return JointStreamGoal<N>{push->effort / kJointDamping};
 }
 
 std::optional<TwistStreamGoal> streamGoal(const TwistGoal& goal) {
@@ -82,13 +83,30 @@ std::optional<TwistStreamGoal> streamGoal(const TwistGoal& goal) {
 }
 
 std::optional<TwistStreamGoal> streamGoal(const WrenchGoal& goal) {
-  const SpatialVector force = masked(goal.force, goal.torque, goal.mask);
-  if (!force.allFinite()) return std::nullopt;
+  const auto wrench = pushOf(goal);
+  if (!wrench) return std::nullopt;
   const SpatialVector twist =
-      together(force.head<3>() / kTipDamping, force.tail<3>() / kTwistDamping);
+      together(wrench->head<3>() / kTipDamping, wrench->tail<3>() / kTwistDamping);
   return TwistStreamGoal{.twist = twist};
 }
 
+template <int N>
+std::optional<JointPush<N>> pushOf(const JointEffortGoal& goal) {
+  const auto effort = masked<N>(goal.effort, goal.mask);
+  if (!effort) return std::nullopt;
+  JointPush<N> push{.effort = *effort, .released = MotionStream<N>::Mask::Constant(true)};
+  if (!goal.mask.empty()) std::copy_n(goal.mask.begin(), N, push.released.begin());
+  return push;
+}
+
+std::optional<SpatialVector> pushOf(const WrenchGoal& goal) {
+  const SpatialVector wrench = masked(goal.force, goal.torque, goal.mask);
+  if (!wrench.allFinite()) return std::nullopt;
+  return wrench;
+}
+
+template std::optional<JointPush<6>> pushOf<6>(const JointEffortGoal& goal);
+template std::optional<JointPush<7>> pushOf<7>(const JointEffortGoal& goal);
 template std::optional<JointStreamGoal<6>> streamGoal<6>(const JointVelocityGoal& goal);
 template std::optional<JointStreamGoal<7>> streamGoal<7>(const JointVelocityGoal& goal);
 template std::optional<JointStreamGoal<6>> streamGoal<6>(const JointEffortGoal& goal);

@@ -16,6 +16,13 @@ struct JointStreamGoal {
   typename MotionStream<N>::JointBounds bounds = {};
 };
 
+/// Is what servo_jf asks of motors.
+template <int N>
+struct JointPush {
+  typename MotionStream<N>::Joints effort;  ///< N.m or N; 0 where it is not released
+  typename MotionStream<N>::Mask released;
+};
+
 /// Is along the axes in which the goal is given.
 struct TwistStreamGoal {
   kinematics::SpatialVector twist;
@@ -23,7 +30,8 @@ struct TwistStreamGoal {
 };
 
 /// Each of these returns none if the goal has a list of the wrong length, a number that is not
-/// finite, or an acceleration that leads nowhere. Joints and axes outside of the mask hold still.
+/// finite, or an acceleration that leads nowhere. Joints and axes outside of the mask hold still,
+/// but a wrench does not press along these axes.
 template <int N>
 std::optional<JointStreamGoal<N>> streamGoal(const JointVelocityGoal& goal);
 template <int N>
@@ -32,5 +40,11 @@ std::optional<JointStreamGoal<N>> streamGoal(const JointEffortGoal& goal);
 /// zeros.
 std::optional<TwistStreamGoal> streamGoal(const TwistGoal& goal);
 std::optional<TwistStreamGoal> streamGoal(const WrenchGoal& goal);
+
+/// These two return what the goal asks of drives that control efforts; the ones above, how it moves
+/// the set-point of others.
+template <int N>
+std::optional<JointPush<N>> pushOf(const JointEffortGoal& goal);
+std::optional<kinematics::SpatialVector> pushOf(const WrenchGoal& goal);
 
 }  // namespace robots

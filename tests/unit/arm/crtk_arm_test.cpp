@@ -189,10 +189,20 @@ TEST_F(CrtkArmTest, JacobiansTurnJointsIntoTips) {
   EXPECT_LT(((matrix * rates).head<3>() - crtk_.measured_cv().linear).norm(), 1e-12);
 }
 
-TEST_F(CrtkArmTest, GravityCompensationIsTold) {
-  crtk_.use_gravity_compensation(true);
+TEST_F(CrtkArmTest, GravityCompensationIsToldAndOrderedInEveryState) {
+  EXPECT_TRUE(crtk_.motorOrder().compensation) << "at first";
+  crtk_.use_gravity_compensation(false);
   cycles(1);
-  EXPECT_EQ(heard_.gravity, std::vector<bool>{true});
+  EXPECT_EQ(heard_.gravity, std::vector<bool>{false});
+  EXPECT_FALSE(crtk_.motorOrder().compensation);
+  crtk_.pause();
+  cycles(1);
+  EXPECT_FALSE(crtk_.motorOrder().compensation);
+  crtk_.use_gravity_compensation(true);
+  crtk_.disable();
+  cycles(1);
+  EXPECT_TRUE(crtk_.motorOrder().compensation);
+  EXPECT_EQ(heard_.gravity, (std::vector<bool>{false, true}));
 }
 
 TEST_F(CrtkArmTest, RefusalsAreWarnings) {

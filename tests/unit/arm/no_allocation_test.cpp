@@ -60,15 +60,20 @@ TEST(CrtkArm, NeverAllocatesInItsCycle) {
   velocity.goal.assign(7, 0.1);
   const TwistGoal twist;
   const WrenchGoal wrench;
+  JointEffortGoal efforts;
+  efforts.effort.assign(7, 0.1);
+  efforts.mask.assign(7, true);
   const std::string unknown = "no such command";
+  Eigen::Index ordered = 0;
   suture::Time time = suture::fromNanoseconds(1);
   const std::uint64_t before = allocations();
 
   joints.step(arm, time);
   crtk.enable();
   crtk.home();
-  for (int i = 0; i < 1100; ++i) {
+  for (int i = 0; i < 1400; ++i) {
     time += std::chrono::milliseconds(1);
+    if (i == 1099) joints.controlEfforts();  // which the arm hears in this cycle
     switch (i / 100) {
       case 0: break;  // it homes, for only then it obeys Cartesian commands
       case 1: crtk.move_jr(step); break;
@@ -80,15 +85,19 @@ TEST(CrtkArm, NeverAllocatesInItsCycle) {
       case 7: crtk.state_command(unknown); break;
       case 8: crtk.interpolate_jr(step); break;
       case 9: crtk.interpolate_cp(crtk.measured_cp()); break;
+      case 11: crtk.servo_jf(efforts); break;
+      case 12: crtk.body_servo_cf(wrench); break;
       default: crtk.free();
     }
     crtk.advance(time);
     joints.step(arm, time);
+    ordered += crtk.motorOrder().released.count();
     crtk.publish(time);
     crtk.announce(Deaf{});
   }
   EXPECT_EQ(allocations() - before, 0u);
   EXPECT_TRUE(crtk.operating_state().is_homed);
+  EXPECT_EQ(ordered, 4 * 100 * 7) << "in free(), with efforts, and with wrenches";
 }
 
 struct DeafToTools {

@@ -28,6 +28,7 @@ class TrailingJoints {
                             permitted_, now};
     reading.effort = drawn_;
     reading.measures_effort = measuresEffort_;
+    reading.controls_effort = controlsEffort_;
     arm.step(now, reading);
     if (power(arm) == DrivePower::On) {
       dynamics_.command(arm.setpoint() - displaced_);
@@ -46,6 +47,8 @@ class TrailingJoints {
   void draw(const Joints& efforts) { drawn_ = efforts; }
   /// Leaves out from now on what the motors give.
   void measureNoEffort() { measuresEffort_ = false; }
+  /// Says from now on that the drives obey efforts, which these joints do not.
+  void controlEfforts() { controlsEffort_ = true; }
   /// Makes something hold the joints from now on.
   void block() { blocked_ = true; }
   /// Does as if they had stopped, and been permitted again, between two cycles of the arm.
@@ -60,7 +63,7 @@ class TrailingJoints {
   Joints displaced_ = Joints::Zero(), drawn_ = Joints::Zero();
   suture::Time last_, permitted_ = suture::fromNanoseconds(1);
   std::optional<DrivePower> forced_;
-  bool blocked_ = false, measuresEffort_ = true;
+  bool blocked_ = false, measuresEffort_ = true, controlsEffort_ = false;
 };
 
 }  // namespace robots::test

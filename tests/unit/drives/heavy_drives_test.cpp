@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "drives/simulated_drives.h"
@@ -37,6 +38,13 @@ class HeavyDrivesTest : public testing::Test {
       cycles(1);
     }
   }
+  void release(double yawEffort, int count) {
+    goal_.released.fill(true);
+    goal_.effort[0] = yawEffort;
+    follow(parked_[0], count);
+  }
+  double yawEffort() const { return drives_.feedback().effort[0]; }
+  double shoulderEffort() const { return drives_.feedback().effort[1]; }
   double yaw() const { return drives_.feedback().position[0]; }
   double yawRate() const { return drives_.feedback().velocity[0]; }
 
@@ -86,6 +94,73 @@ TEST_F(HeavyDrivesTest, AStreamThatFallsSilentLeavesTheJoints) {
   cycles(750);
   EXPECT_NEAR(yaw(), held, 1e-3);
   EXPECT_EQ(drives_.feedback().power, DrivePower::On);
+}
+
+TEST_F(HeavyDrivesTest, SayThatTheyControlEfforts) {
+  EXPECT_TRUE(drives_.feedback().controls_effort);
+}
+
+TEST_F(HeavyDrivesTest, PushReleasedJointsAndDoNotHoldThem) {
+  drives_.power_on(drives_.feedback().permitted);
+  release(0.5, 200);
+  EXPECT_GT(yaw(), parked_[0] + 0.005);
+  EXPECT_NEAR(yawEffort(), 0.5, 1e-2);
+}
+
+TEST_F(HeavyDrivesTest, AddTheEffortOfAGoalToWhatHoldsAJoint) {
+  drives_.power_on(drives_.feedback().permitted);
+  goal_.effort[0] = 1;
+  follow(parked_[0], 600);
+  EXPECT_NEAR(yaw(), parked_[0] + 1 / heavyMtm().stiffness[0], 3e-3);
+}
+
+TEST_F(HeavyDrivesTest, HoldReleasedJointsWhenTheStreamFallsSilent) {
+  drives_.power_on(drives_.feedback().permitted);
+  release(0.5, 200);
+  cycles(750);
+  const double held = yaw();
+  cycles(750);
+  EXPECT_NEAR(yaw(), held, 1e-3);
+  EXPECT_LT(std::abs(yawEffort()), 0.3);
+}
+
+TEST_F(HeavyDrivesTest, DropAnEffortThatIsNoNumber) {
+  drives_.power_on(drives_.feedback().permitted);
+  follow(parked_[0], 10);
+  release(std::numeric_limits<double>::quiet_NaN(), 10);
+  EXPECT_TRUE(std::isfinite(yawEffort()));
+  EXPECT_NEAR(yaw(), parked_[0], 1e-3);
+}
+
+TEST_F(HeavyDrivesTest, HoldWhatTheyReleasedIfPowerComesBackWithinACycle) {
+  drives_.power_on(drives_.feedback().permitted);
+  release(0.5, 200);
+  drives_.power_off();
+  drives_.power_on(drives_.feedback().permitted);
+  cycles(300);
+  EXPECT_LT(std::abs(yawRate()), 0.05);
+}
+
+TEST_F(HeavyDrivesTest, BeginAndEndCompensationGradually) {
+  drives_.power_on(drives_.feedback().permitted);
+  release(0, 100);
+  const double carried = shoulderEffort();
+  ASSERT_GT(std::abs(carried), 0.5);
+  for (const bool use : {false, true}) {
+    goal_.gravity_compensation = use;
+    for (int i = 0; i < 400; ++i) {
+      const double before = shoulderEffort();
+      release(0, 1);
+      ASSERT_LT(std::abs(shoulderEffort() - before), 0.02 * std::abs(carried)) << i;
+    }
+    EXPECT_EQ(shoulderEffort() == 0, !use);
+  }
+}
+
+TEST_F(HeavyDrivesTest, CarryTheArmAtOnceWhenPowerBegins) {
+  drives_.power_on(drives_.feedback().permitted);
+  cycles(2);
+  EXPECT_GT(std::abs(shoulderEffort()), 0.5);
 }
 
 TEST_F(HeavyDrivesTest, NeverAllocateInTheirCycle) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -112,6 +113,24 @@ TEST(Effort, IsWithinWhatEachMotorGives) {
   for (int i = 0; i < 7; ++i) EXPECT_LE(std::abs(motors[i]), limit[i] * (1 + 1e-12)) << i;
   EXPECT_NEAR(motors[2], limit[2], 1e-12);
   EXPECT_GT(std::abs(joints.effort()[1] - motors[1]), 1) << "that of the elbow acts there too";
+}
+
+// A client that pushes all the time would speed it up until it hits its stop.
+TEST(Effort, DrivesAReleasedJointHardlyFasterThanItsRateLimit) {
+  auto model = heavyMtm();
+  model.rate_limit.setConstant(1);
+  RigidBodyJoints<7> joints(model);
+  MotorOrder<7> order;
+  order.effort[kYaw] = model.mechanics.effort_limit[kYaw];
+  order.released.setConstant(true);
+  double fastest = 0;
+  for (int i = 0; i < 400; ++i) {
+    joints.order(order);
+    cycle<7>(joints, joints.measured());
+    fastest = std::max(fastest, joints.velocity()[kYaw]);
+  }
+  EXPECT_GT(fastest, 1);
+  EXPECT_LT(fastest, 1.2);
 }
 
 TEST(Encoders, CountWhatTheirMotorsTurn) {

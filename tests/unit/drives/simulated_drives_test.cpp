@@ -168,6 +168,17 @@ TEST_F(SimulatedDrivesTest, BrakesHoldBetweenSteps) {
   EXPECT_EQ(position(), held);
 }
 
+TEST_F(SimulatedDrivesTest, WithoutMassFollowPositionsWhateverElseAGoalSays) {
+  EXPECT_FALSE(drives_.feedback().controls_effort);
+  drives_.power_on(drives_.feedback().permitted);
+  DriveGoal there = goal(0.2);
+  there.released.fill(true);
+  there.effort.fill(1);
+  drives_.servo_jp(there);
+  cycles(90);
+  EXPECT_NEAR(position(), 0.2, 1e-3);
+}
+
 TEST_F(SimulatedDrivesTest, InvalidGoalsMoveNothing) {
   drives_.power_on(drives_.feedback().permitted);
   DriveGoal tooFew = goal(0.2);
