@@ -144,7 +144,7 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_jv(const JointVelocityGoal& goal) = 0;
   /// Streams what the motors give beside carrying the arm, newest wins. The joints are released;
   /// those outside of the mask are held. If the drives control no effort, it moves the set-point at
-  /// a speed proportional to it, as a wrench does then.
+  /// a speed proportional to it.
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_jf(const JointEffortGoal& goal) = 0;
   /// Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along it, at the
   /// nearest point that the limits admit, and warns of AtLimit. A goal that is out of reach, or
@@ -156,8 +156,9 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   SUTURE_COMMAND(ttl(20ms)) virtual void servo_cr(const PoseStamped& step) = 0;
   /// Streams velocities of the tip, in the directions of the reference frame, newest wins.
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_cv(const TwistGoal& goal) = 0;
-  /// Streams wrenches in the tip's own directions, newest wins: the set-point yields to each as if
-  /// only a damper held the tip.
+  /// Streams the wrench that the tip presses with beside carrying the arm, in the tip's own
+  /// directions, newest wins. The joints are released as by servo_jf; drives that control no effort
+  /// move the set-point at a speed proportional to the wrench.
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void body_servo_cf(const WrenchGoal& goal) = 0;
   /// Streams wrenches as body_servo_cf does, in the directions of the arm's base frame.
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void spatial_servo_cf(const WrenchGoal& goal) = 0;

@@ -466,11 +466,13 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   /// Write: up to 16 wait.
   Command<&Contract::set_base_frame, robots::ArmSetBaseFrameArguments> set_base_frame{
       *this, Id::set_base_frame};
-  /// Lets the set-point follow the joints until another command.
+  /// Lets the set-point follow the joints until another command. Drives that control efforts
+  /// release the joints: their motors do no more than carry the arm, if they are to.
   /// Void: up to 16 wait.
   Command<&Contract::free, NoSlot> free{*this, Id::free};
-  /// Only makes the event gravity_compensation report it. It changes no motor, because compensation
-  /// belongs to the drives.
+  /// Says if the motors carry the arm's weight, in every state that has power; at first they do.
+  /// Drives that control efforts obey it. Without it a joint that is held sinks until its
+  /// controller carries it, and one that is released falls.
   /// Write: up to 16 wait.
   Command<&Contract::use_gravity_compensation,
           robots::ArmUseGravityCompensationArguments> use_gravity_compensation{
@@ -482,8 +484,9 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
   /// ago.
   Command<&Contract::servo_jv, robots::ArmServoJvArguments> servo_jv{*this, Id::servo_jv};
-  /// Streams joint efforts, newest wins: the set-point yields to each as if only a damper held the
-  /// joint (motion/stream_goals.cpp).
+  /// Streams what the motors give beside carrying the arm, newest wins. The joints are released;
+  /// those outside of the mask are held. If the drives control no effort, it moves the set-point at
+  /// a speed proportional to it.
   /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
   /// ago.
   Command<&Contract::servo_jf, robots::ArmServoJfArguments> servo_jf{*this, Id::servo_jf};
@@ -495,8 +498,9 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
   /// ago.
   Command<&Contract::servo_cv, robots::ArmServoCvArguments> servo_cv{*this, Id::servo_cv};
-  /// Streams wrenches in the tip's own directions, newest wins: the set-point yields to each as if
-  /// only a damper held the tip.
+  /// Streams the wrench that the tip presses with beside carrying the arm, in the tip's own
+  /// directions, newest wins. The joints are released as by servo_jf; drives that control no effort
+  /// move the set-point at a speed proportional to the wrench.
   /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
   /// ago.
   Command<&Contract::body_servo_cf, robots::ArmBodyServoCfArguments> body_servo_cf{

@@ -31,8 +31,12 @@ static_assert(std::is_same_v<decltype(DriveFeedback::stamp),
                              std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(DriveFeedback::effort), std::array<double, 8>>);
 static_assert(std::is_same_v<decltype(DriveFeedback::measures_effort), bool>);
+static_assert(std::is_same_v<decltype(DriveFeedback::controls_effort), bool>);
 static_assert(std::is_same_v<decltype(DriveGoal::position), std::array<double, 8>>);
 static_assert(std::is_same_v<decltype(DriveGoal::joints), std::uint32_t>);
+static_assert(std::is_same_v<decltype(DriveGoal::effort), std::array<double, 8>>);
+static_assert(std::is_same_v<decltype(DriveGoal::released), std::array<bool, 8>>);
+static_assert(std::is_same_v<decltype(DriveGoal::gravity_compensation), bool>);
 
 }  // namespace
 
@@ -46,6 +50,7 @@ bool store(const DriveFeedback& value, DriveFeedbackSlot& slot) {
   fits &= store(value.stamp, slot.stamp);
   fits &= store(value.effort, slot.effort);
   fits &= store(value.measures_effort, slot.measures_effort);
+  fits &= store(value.controls_effort, slot.controls_effort);
   return fits;
 }
 
@@ -58,6 +63,7 @@ void load(const DriveFeedbackSlot& slot, DriveFeedback& value) {
   load(slot.stamp, value.stamp);
   load(slot.effort, value.effort);
   load(slot.measures_effort, value.measures_effort);
+  load(slot.controls_effort, value.controls_effort);
 }
 
 void shiftStamps(DriveFeedbackSlot& slot, suture::Duration shift) {
@@ -69,12 +75,18 @@ bool store(const DriveGoal& value, DriveGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.position, slot.position);
   fits &= store(value.joints, slot.joints);
+  fits &= store(value.effort, slot.effort);
+  fits &= store(value.released, slot.released);
+  fits &= store(value.gravity_compensation, slot.gravity_compensation);
   return fits;
 }
 
 void load(const DriveGoalSlot& slot, DriveGoal& value) {
   load(slot.position, value.position);
   load(slot.joints, value.joints);
+  load(slot.effort, value.effort);
+  load(slot.released, value.released);
+  load(slot.gravity_compensation, value.gravity_compensation);
 }
 
 bool store(const std::chrono::steady_clock::time_point& permitted, DrivesPowerOnArguments& slot) {
@@ -106,7 +118,8 @@ bool isValid(const DriveFeedbackSlot& slot, suture::FieldPath* path) {
 }
 
 bool isValid(const DriveGoalSlot& slot, suture::FieldPath* path) {
-  return isValid(slot.position, path) || suture::refusedAt(path, "position");
+  if (!isValid(slot.position, path)) return suture::refusedAt(path, "position");
+  return isValid(slot.effort, path) || suture::refusedAt(path, "effort");
 }
 
 // Defined in drives/drives.wire.cpp.
@@ -157,14 +170,14 @@ constexpr suture::EventInfo kDrivesEvents[] = {
 constexpr char kDrivesDescription[] = R"json(
 {"name": "robots::Drives",
 "doc": "Commands run in the drives' own thread before its next cycle; the read is from the end of its\nlast one.",
-"hash": "270403ff6448a0e24ad22c954a19f89f", "commands": [{"name": "power_on", "kind": "write",
+"hash": "ea2b8319e8fefe56d2d3045775c87b3c", "commands": [{"name": "power_on", "kind": "write",
 "ordinal": 1, "wire": "powerOn",
 "doc": "Releases the brakes. The joints hold where they are. `permitted` is that of the feedback that\nthis answers: drives that have stopped since then, or may not have power, stay as they are.",
 "parameters": [{"name": "permitted", "type": {"kind": "time", "clock": "steady"}}], "queue": 16}, {
 "name": "power_off", "kind": "void", "ordinal": 2, "wire": "powerOff",
 "doc": "Lets the brakes hold the joints where they are. The joints of an arm that has none sink by\ntheir weight.",
 "queue": 16}, {"name": "servo_jp", "kind": "write", "ordinal": 3, "wire": "servoJp",
-"doc": "Streams goals, newest wins. Without power, or with the wrong number of joints, a goal changes\nnothing. A stream that falls silent for 0.1 s leaves the joints where they are.",
+"doc": "Streams goals, newest wins. Without power, or with the wrong number of joints, a goal changes\nnothing. A stream that falls silent for 0.1 s leaves the joints where they are: they are held\nthere, and no effort of a goal acts any more.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::DriveGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "feedback", "kind": "read", "ordinal": 4,
 "result": {"type": {"kind": "struct", "name": "robots::DriveFeedback"}}, "queue": 16}], "events": [
@@ -179,10 +192,18 @@ constexpr char kDrivesDescription[] = R"json(
 "doc": "without power, which they are permitted to have: what brakes they have are on"}, {
 "name": "On", "value": 3, "wire": "on", "doc": "the joints follow their goals"}]}], "structs": [{
 "name": "robots::DriveGoal",
-"doc": "Says where the actuators shall be, in the same order. The entry of a gripper has no effect.",
+"doc": "Says where the actuators shall be, in the same order, and what their motors do beside that. The\nentry of a gripper has no effect.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
-"type": {"kind": "UInt32"}, "default": 0}]}, {"name": "robots::DriveFeedback",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "effort",
+"doc": "Is what the motors give beside what holds the joints and carries the arm. All together is cut\nto what a motor can give.",
+"type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "N.m"}, {
+"name": "released",
+"doc": "Has an entry for each joint of the chain, not for each actuator. A joint for which it is true\nis not held: its position here has no effect. At more than its rate limit it is slowed down.",
+"type": {"kind": "array", "element": {"kind": "Bool"}, "length": 8}}, {
+"name": "gravity_compensation", "wire": "gravityCompensation",
+"doc": "If it is true, the motors carry the arm's weight. It counts until the next goal, also after\nthe stream has ended.",
+"type": {"kind": "Bool"}, "default": true}]}, {"name": "robots::DriveFeedback",
 "doc": "Is what the drives measure in each of their cycles. It is of actuators, in the order of the\njoints of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which\nnothing drives. coupling.h says how the actuators of an arm turn its joints; most are their\njoint. The actuator of a prismatic joint has m, m/s and N.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "velocity",
@@ -196,6 +217,8 @@ constexpr char kDrivesDescription[] = R"json(
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "N.m"}, {
 "name": "measures_effort", "wire": "measuresEffort",
 "doc": "Is true if `effort` is measured. Joints that are simulated without mass need none, and have 0;\nso does a simulated jaw, which has no mass whatever this says.",
+"type": {"kind": "Bool"}, "default": false}, {"name": "controls_effort", "wire": "controlsEffort",
+"doc": "Is true if the drives obey what a goal says beside positions. Joints that are simulated\nwithout mass have no effort, so their drives follow positions only.",
 "type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x91efda82df1adc01",
 "kind": "interface", "name": "Drives", "cxx": "robots::Drives", "members": [{"at": 0,
 "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xe59a5d931070aa84"}, {
@@ -221,11 +244,14 @@ constexpr char kDrivesDescription[] = R"json(
 "at": 3, "name": "power", "is": "@0xd2f9073be1a76833"}, {"at": 4, "name": "permitted",
 "is": "Int64 clock \"steady\""}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}, {
 "at": 6, "name": "effort", "is": "List(Float64) unit \"N.m\" shape \"8\""}, {"at": 7,
-"name": "measuresEffort", "is": "Bool"}]}, {"id": "@0xd2f9073be1a76833", "kind": "enum",
-"name": "DrivePower", "members": [{"at": 0, "name": "notReady"}, {"at": 1, "name": "stopped"}, {
-"at": 2, "name": "off"}, {"at": 3, "name": "on"}]}, {"id": "@0xe3033c33c5a1f822", "kind": "struct",
-"name": "DriveGoal", "members": [{"at": 0, "name": "position",
-"is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints", "is": "UInt32"}]}]})json";
+"name": "measuresEffort", "is": "Bool"}, {"at": 8, "name": "controlsEffort", "is": "Bool"}]}, {
+"id": "@0xd2f9073be1a76833", "kind": "enum", "name": "DrivePower", "members": [{"at": 0,
+"name": "notReady"}, {"at": 1, "name": "stopped"}, {"at": 2, "name": "off"}, {"at": 3, "name": "on"
+}]}, {"id": "@0xe3033c33c5a1f822", "kind": "struct", "name": "DriveGoal", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints",
+"is": "UInt32"}, {"at": 2, "name": "effort", "is": "List(Float64) unit \"N.m\" shape \"8\""}, {
+"at": 3, "name": "released", "is": "List(Bool) shape \"8\""}, {"at": 4,
+"name": "gravityCompensation", "is": "Bool = true"}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -236,7 +262,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Drives>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Drives",
-      .hash = "270403ff6448a0e24ad22c954a19f89f",
+      .hash = "ea2b8319e8fefe56d2d3045775c87b3c",
       .description = robots::kDrivesDescription,
       .commands = robots::kDrivesCommands,
       .events = robots::kDrivesEvents,

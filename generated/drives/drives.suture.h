@@ -28,16 +28,21 @@ struct DriveFeedbackSlot {
   std::int64_t stamp;            // suture::Time, ns
   std::array<double, 8> effort;  // N.m
   std::uint8_t measures_effort;  // bool
+  std::uint8_t controls_effort;  // bool
 };
 
 bool store(const DriveFeedback& value, DriveFeedbackSlot& slot);
 void load(const DriveFeedbackSlot& slot, DriveFeedback& value);
 void shiftStamps(DriveFeedbackSlot& slot, suture::Duration shift);
 
-/// Says where the actuators shall be, in the same order. The entry of a gripper has no effect.
+/// Says where the actuators shall be, in the same order, and what their motors do beside that. The
+/// entry of a gripper has no effect.
 struct DriveGoalSlot {
   std::array<double, 8> position;  // rad
   std::uint32_t joints;
+  std::array<double, 8> effort;  // N.m
+  std::array<std::uint8_t, 8> released;
+  std::uint8_t gravity_compensation;  // bool
 };
 
 bool store(const DriveGoal& value, DriveGoalSlot& slot);
@@ -123,7 +128,8 @@ class Required<robots::Drives> : public RequiredBase {
   /// Void: up to 16 wait.
   Command<&Contract::power_off, NoSlot> power_off{*this, Id::power_off};
   /// Streams goals, newest wins. Without power, or with the wrong number of joints, a goal changes
-  /// nothing. A stream that falls silent for 0.1 s leaves the joints where they are.
+  /// nothing. A stream that falls silent for 0.1 s leaves the joints where they are: they are held
+  /// there, and no effort of a goal acts any more.
   /// Write: a newer one replaces the one that waits. Not executed if it was sent more than 20 ms
   /// ago.
   Command<&Contract::servo_jp, robots::DrivesServoJpArguments> servo_jp{*this, Id::servo_jp};

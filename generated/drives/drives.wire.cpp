@@ -46,6 +46,7 @@ void toWire(const DriveFeedbackSlot& slot, wire::DriveFeedback::Builder out) {
   out.setStamp(slot.stamp);
   toWire(slot.effort, out.initEffort(8));
   out.setMeasuresEffort(slot.measures_effort != 0);
+  out.setControlsEffort(slot.controls_effort != 0);
 }
 
 suture::Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot,
@@ -54,6 +55,7 @@ suture::Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot,
   slot.permitted = suture::rpc::shifted(in.getPermitted(), shift);
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.measures_effort = in.getMeasuresEffort();
+  slot.controls_effort = in.getControlsEffort();
   return suture::rpc::firstError({
       fromWire(in.getPosition(), slot.position),
       fromWire(in.getVelocity(), slot.velocity),
@@ -65,11 +67,19 @@ suture::Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot,
 void toWire(const DriveGoalSlot& slot, wire::DriveGoal::Builder out) {
   toWire(slot.position, out.initPosition(8));
   out.setJoints(slot.joints);
+  toWire(slot.effort, out.initEffort(8));
+  toWire(slot.released, out.initReleased(8));
+  out.setGravityCompensation(slot.gravity_compensation != 0);
 }
 
 suture::Errc fromWire(wire::DriveGoal::Reader in, DriveGoalSlot& slot, suture::Duration) {
   slot.joints = in.getJoints();
-  return fromWire(in.getPosition(), slot.position);
+  slot.gravity_compensation = in.getGravityCompensation();
+  return suture::rpc::firstError({
+      fromWire(in.getPosition(), slot.position),
+      fromWire(in.getEffort(), slot.effort),
+      fromWire(in.getReleased(), slot.released),
+  });
 }
 
 // --- Drives as Cap'n Proto

@@ -175,11 +175,13 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # refused if `base` names another reference frame than the interface's, and while the arm moves
   # or follows a stream.
   free @34 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Lets the set-point follow the joints until another command.
+  # Lets the set-point follow the joints until another command. Drives that control efforts
+  # release the joints: their motors do no more than carry the arm, if they are to.
   useGravityCompensation @35 (use :Bool, sent :Rpc.Sent) -> ()
       $Meta.cxx("use_gravity_compensation") $Meta.kind("write") $Meta.queue(16);
-  # Only makes the event gravity_compensation report it. It changes no motor, because compensation
-  # belongs to the drives.
+  # Says if the motors carry the arm's weight, in every state that has power; at first they do.
+  # Drives that control efforts obey it. Without it a joint that is held sinks until its
+  # controller carries it, and one that is released falls.
   servoJr @36 (step :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jr")
       $Meta.kind("write") $Meta.queue(16) $Meta.ttl(20000000);
   # Steps the set-point by joint positions.
@@ -188,8 +190,9 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # Streams joint velocities, newest wins: the set-point moves so fast, within the rate limits.
   servoJf @38 (goal :JointCommands.JointEffortGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jf")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
-  # Streams joint efforts, newest wins: the set-point yields to each as if only a damper held the
-  # joint (motion/stream_goals.cpp).
+  # Streams what the motors give beside carrying the arm, newest wins. The joints are released;
+  # those outside of the mask are held. If the drives control no effort, it moves the set-point at
+  # a speed proportional to it.
   servoCr @39 (step :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("servo_cr")
       $Meta.kind("write") $Meta.queue(16) $Meta.ttl(20000000);
   # Steps the set-point: the translation is in the reference frame, the rotation turns the tip
@@ -199,8 +202,9 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # Streams velocities of the tip, in the directions of the reference frame, newest wins.
   bodyServoCf @41 (goal :Cartesian.WrenchGoal, sent :Rpc.Sent) -> () $Meta.cxx("body_servo_cf")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
-  # Streams wrenches in the tip's own directions, newest wins: the set-point yields to each as if
-  # only a damper held the tip.
+  # Streams the wrench that the tip presses with beside carrying the arm, in the tip's own
+  # directions, newest wins. The joints are released as by servo_jf; drives that control no effort
+  # move the set-point at a speed proportional to the wrench.
   spatialServoCf @42 (goal :Cartesian.WrenchGoal, sent :Rpc.Sent) -> ()
       $Meta.cxx("spatial_servo_cf") $Meta.kind("write") $Meta.latest $Meta.queue(16)
       $Meta.ttl(20000000);

@@ -17,7 +17,8 @@ struct RigidBodyOptions @0xebb0c1af002736b6 $Meta.cxx("robots::RigidBodyOptions"
   # Chooses the properties of joints with mass.
 
   gravityCompensation @0 :Bool = true $Meta.cxx("gravity_compensation");
-  # If it is true, the motors carry the arm's weight beside what their controllers give.
+  # If it is true, the motors carry the arm's weight beside what their controllers give, unless a
+  # goal asks them not to. If it is false, they never do.
   quantisation @1 :Bool = true;
   # If it is true, encoders read whole counts.
   noise @2 :Float64 $Meta.range(lowest = 0, highest = 1000);

@@ -39,14 +39,27 @@ struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
   measuresEffort @7 :Bool $Meta.cxx("measures_effort");
   # Is true if `effort` is measured. Joints that are simulated without mass need none, and have 0;
   # so does a simulated jaw, which has no mass whatever this says.
+  controlsEffort @8 :Bool $Meta.cxx("controls_effort");
+  # Is true if the drives obey what a goal says beside positions. Joints that are simulated
+  # without mass have no effort, so their drives follow positions only.
 }
 
 struct DriveGoal @0xe3033c33c5a1f822 $Meta.cxx("robots::DriveGoal") {
-  # Says where the actuators shall be, in the same order. The entry of a gripper has no effect.
+  # Says where the actuators shall be, in the same order, and what their motors do beside that. The
+  # entry of a gripper has no effect.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.
   joints @1 :UInt32;
+  effort @2 :List(Float64) $Meta.shape("8") $Meta.unit("N.m");
+  # Is what the motors give beside what holds the joints and carries the arm. All together is cut
+  # to what a motor can give.
+  released @3 :List(Bool) $Meta.shape("8");
+  # Has an entry for each joint of the chain, not for each actuator. A joint for which it is true
+  # is not held: its position here has no effect. At more than its rate limit it is slowed down.
+  gravityCompensation @4 :Bool = true $Meta.cxx("gravity_compensation");
+  # If it is true, the motors carry the arm's weight. It counts until the next goal, also after
+  # the stream has ended.
 }
 
 interface Drives @0x91efda82df1adc01 $Meta.cxx("robots::Drives") {
@@ -65,7 +78,8 @@ interface Drives @0x91efda82df1adc01 $Meta.cxx("robots::Drives") {
   servoJp @3 (goal :DriveGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp") $Meta.kind("write")
       $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
   # Streams goals, newest wins. Without power, or with the wrong number of joints, a goal changes
-  # nothing. A stream that falls silent for 0.1 s leaves the joints where they are.
+  # nothing. A stream that falls silent for 0.1 s leaves the joints where they are: they are held
+  # there, and no effort of a goal acts any more.
   feedback @4 (sent :Rpc.Sent) -> (value :DriveFeedback, stamp :Int64) $Meta.kind("read");
 }
 
