@@ -46,6 +46,16 @@ TEST_F(EffortTest, IsWhatTheClientStreamsCutToWhatEachJointMayTake) {
   EXPECT_EQ(released(), 6);
 }
 
+TEST_F(EffortTest, LeavesJointsOutsideOfTheMaskHeld) {
+  goal_.mask = {true, false, true, true, true, true};
+  crtk_.servo_jf(goal_);
+  cycles(1);
+  const auto order = crtk_.motorOrder();
+  EXPECT_FALSE(order.released[1]);
+  EXPECT_EQ(order.effort[1], 0);
+  EXPECT_EQ(released(), 5);
+}
+
 TEST_F(EffortTest, OfAWrenchPressesWithThatWrench) {
   const kinematics::SpatialVector wrench{0.1, 0.2, -0.3, 0, 0, 0};
   wrench_.force = wrench.head<3>();
