@@ -67,7 +67,13 @@ bool isKnownUnit(std::string_view symbol) {
 }
 
 std::string nearestUnit(std::string_view symbol) {
-  return std::string(model::nearest(symbol, kCommon));
+  // A person who writes "Nm" forgot the point and does not mean "m", which is as near by letters.
+  const auto* pointed = std::find_if(kCommon.begin(), kCommon.end(), [&](string_view unit) {
+    std::string plain(unit);
+    std::erase(plain, '.');
+    return plain == symbol;
+  });
+  return std::string(pointed != kCommon.end() ? *pointed : model::nearest(symbol, kCommon));
 }
 
 }  // namespace suture::compiler::check

@@ -109,6 +109,7 @@ TEST(Check, UnitsAreComposed) {
        {"degC", "hPa", "mbar", "N.mm", "kg.m2/s", "W/m2", "uV/Hz", "s-1", "mol", "lx", "1/min"}) {
     EXPECT_TRUE(isKnownUnit(unit)) << unit;
   }
+  EXPECT_EQ(nearestUnit("Nm"), "N.m");
   for (const char* const unit : {"Nm", "", "m/", ".m", "m//s", "m^2", "m22", "m1", "2", "-", "mdeg",
                                  "kmin", "m-", "meter"}) {
     EXPECT_FALSE(isKnownUnit(unit)) << unit;
