@@ -175,6 +175,23 @@ TEST(Deployment, ContractsThatAreNone) {
   }
 }
 
+TEST(Deployment, AWordThatAContractDoesNotKnowIsToldWithThoseThatItKnows) {
+  const auto problemsWith = [](const char* value) {
+    return problemsOf(with("\"lane\": \"rpc\"", std::string("\"contract\": ") + value));
+  };
+  EXPECT_EQ(
+      problemsWith(R"({"resume": "manual"})"),
+      std::vector<std::string>{
+          "d.json:18: error: expected who lets commands through again after a loss or a stale "
+          "read: \"automatic\" or \"operator\"; found string \"manual\""});
+  for (const char* key : {"on_stale", "on_loss"}) {
+    const auto problems = problemsWith(("{\"" + std::string(key) + "\": \"hope\"}").c_str());
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_NE(problems[0].find("\"hold\", \"zero\", \"last\" or \"fault\""), std::string::npos)
+        << problems[0];
+  }
+}
+
 /// Returns kSound with one key more in PSM1.
 std::string psmWith(const std::string& key) {
   return with("\"class\": \"Psm\"", "\"class\": \"Psm\", " + key);
