@@ -47,10 +47,47 @@ std::string lossText(const std::map<std::string, std::string>& why, const std::s
   const auto told = why.find(name);
   if (told == why.end()) return "is lost: the process at its other end is gone. Start it again";
   const bool ended = told->second.starts_with("closed");
-  return "is lost, " + told->second +
+  std::string reason = told->second;
+  if (reason.ends_with('.')) reason.pop_back();  // what TLS says is a whole sentence
+  return "is lost, " + reason +
          (ended
               ? ". Start that process again if it has ended; it is connected anew when it is there"
               : ". It is connected anew when that process goes on");
+}
+
+bool requiresInterface(const Component& component, const std::string& name) {
+  const auto& all = component.required();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const RequiredBase* required) { return required->name() == name; });
+}
+
+/// Is what a file says wrong, and where.
+struct Unconnected {
+  std::string pointer;
+  std::string remedy;
+};
+
+/// Says why a required interface has no connection: it is at the wrong end of one, a connection of
+/// its component names an interface that there is not, or nothing mentions it.
+Unconnected unconnected(const Endpoint& from, const ComponentEntry& entry,
+                        const Component& component, std::span<const ConnectionEntry> all) {
+  const auto first = [&](const auto& condition) {
+    return std::find_if(all.begin(), all.end(), condition);
+  };
+  const auto swapped =
+      first([&](const ConnectionEntry& one) { return one.to.toString() == from.toString(); });
+  if (swapped != all.end()) {
+    return {swapped->pointer, "it is named as \"to\": exchange \"from\" and \"to\""};
+  }
+  const auto misspelt = first([&](const ConnectionEntry& one) {
+    return one.from.process == from.process && one.from.component == from.component &&
+           !requiresInterface(component, one.from.interface);
+  });
+  if (misspelt != all.end()) {
+    return {misspelt->pointer, "write it as \"from\" in the place of '" +
+                                   misspelt->from.toString() + "', which there is not"};
+  }
+  return {entry.pointer, "add a connection {\"from\": \"" + from.toString() + "\", \"to\": ...}"};
 }
 
 }  // namespace
@@ -172,10 +209,10 @@ void Host::checkRequired() const {
             return connection.from.toString() == from.toString();
           });
       if (connected || required->isOptional()) continue;
+      const Unconnected found = unconnected(from, entry, *components_[i], all);
       problems.push_back(deployment_.document().locate(
-          entry.pointer, "required interface '" + from.toString() + "' (" + required->info().name +
-                             ") has no provider; add a connection {\"from\": \"" + from.toString() +
-                             "\", \"to\": ...}"));
+          found.pointer, "required interface '" + from.toString() + "' (" + required->info().name +
+                             ") has no provider; " + found.remedy));
     }
   }
   if (!problems.empty()) throw DocumentError(problems);

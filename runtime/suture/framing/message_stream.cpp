@@ -23,7 +23,8 @@ constexpr std::size_t kStrangersReadAtOnce = 4u << 10;
 constexpr const char* kTooLongOfStranger =
     "the peer announces a message too long for one that has not said who it is";
 constexpr const char* kOtherSpeaksTls =
-    "it speaks TLS, and this end does not. Correct the address: tls:// at both ends, or at neither";
+    "it speaks TLS, and this end does not. Correct the address: tls:// at both ends, or at "
+    "neither.";
 
 capnp::ReaderOptions readerOptions(const StreamLimits& limits) {
   capnp::ReaderOptions options;

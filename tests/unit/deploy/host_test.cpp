@@ -258,6 +258,20 @@ TEST(Host, RequiredInterfaceWithoutAConnection) {
             "add a connection {\"from\": \"all:C/Arm\", \"to\": ...}");
 }
 
+TEST(Host, RequiredInterfaceThatAConnectionMisspells) {
+  const std::string components =
+      "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
+      "{\"name\": \"C\", \"class\": \"Client\"}";
+  EXPECT_EQ(problemsOf(deploymentOf(components, "{\"from\": \"C/Amr\", \"to\": \"PSM/Arm\"}")),
+            std::vector<std::string>{
+                "d.json:5: error: required interface 'all:C/Arm' (reference::ArmLike) has no "
+                "provider; write it as \"from\" in the place of 'all:C/Amr', which there is not"});
+  EXPECT_EQ(problemsOf(deploymentOf(components, "{\"from\": \"PSM/Arm\", \"to\": \"C/Arm\"}")),
+            std::vector<std::string>{
+                "d.json:5: error: required interface 'all:C/Arm' (reference::ArmLike) has no "
+                "provider; it is named as \"to\": exchange \"from\" and \"to\""});
+}
+
 TEST(Host, OptionalInterfaceWithoutAConnection) {
   const auto create = [](const JsonReader& in) {
     std::unique_ptr<Component> client = createWithoutParameters<Client>(in);
