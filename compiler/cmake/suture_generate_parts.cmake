@@ -94,9 +94,10 @@ function(suture_write_response_file file target base generated lock_dirs stems e
   endforeach()
   set(includes $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
   set(definitions $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)
+  # Suture's headers are C++20, to which CMake raises the compiler of a target that asks for less.
   set(standard $<TARGET_PROPERTY:${target},CXX_STANDARD>)
   suture_gcc_install_dir(gcc)
-  list(APPEND own -- "-std=c++$<IF:$<BOOL:${standard}>,${standard},20>")
+  list(APPEND own -- "-std=c++$<IF:$<OR:$<STREQUAL:${standard},23>,$<STREQUAL:${standard},26>>,${standard},20>")
   if(gcc)
     list(APPEND own --gcc-install-dir=${gcc})
   endif()
