@@ -53,7 +53,8 @@ std::string traitsText(const Json& member) {
     if (seconds.is_number()) add(limit + (" " + milliseconds(seconds.get<double>() * 1e3)));
   }
   if (const Json& queue = valueAt(member, "queue"); queue.is_number_integer()) {
-    if (textAt(member, "kind") != "read") add("queue " + queue.dump());
+    const bool waits = textAt(member, "kind") != "read" && valueAt(member, "latest") != true;
+    if (waits) add("queue " + queue.dump());
   }
   if (const std::string from = textAt(member, "from"); !from.empty()) add("from " + from);
   if (const std::string why = textAt(member, "deprecated"); !why.empty()) add("deprecated: " + why);

@@ -87,7 +87,7 @@ class Inspect(System):
         for line in ("robot:Hand/Gripper, provided: robots::Gripper",
                      "    An arm with a gripper.",
                      "    open(width: Float64 [m])   write, queue 16",
-                     "    servo_cp(goal: robots::PoseStamped)   write, newest wins, ttl 20.0 ms, queue 16, from robots::Arm",
+                     "    servo_cp(goal: robots::PoseStamped)   write, newest wins, ttl 20.0 ms, from robots::Arm",
                      "        Follow the goal.",
                      "    grasp(width: Float64, mode: robots::Mode) -> Bool   write with return, deadline 50.0 ms, queue 2,"
                      " from robots::Arm",
