@@ -127,8 +127,10 @@ void requireFree(const KeyFiles& files, const std::vector<std::string>& processe
     }
     for (const fs::path& file : {files.certificate(process), files.key(process)}) {
       if (!fs::exists(fs::symlink_status(file))) continue;
-      throw SetupError(asked, file.string() + " exists, and nothing is overwritten",
-                       "Remove it, and what belongs to it, if the process is to have new ones.");
+      throw SetupError(
+          asked, file.string() + " exists, and nothing is overwritten",
+          "Name only processes that were added, by --process NAME; remove the files of "
+          "one that is to have new keys.");
     }
   }
 }
