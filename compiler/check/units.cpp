@@ -12,7 +12,8 @@ using std::string_view;
 
 // Units are spelled as in UCUM: '.' multiplies, '/' divides by the next factor, digits are powers.
 
-// These take a prefix: they are SI, with what CRTK, ROS REP-103 and OpenIGTLink use of it.
+// These take a prefix. They are the units of SI, of which CRTK, ROS REP-103 and OpenIGTLink use
+// some, and a few that people use beside SI.
 constexpr std::array<string_view, 32> kMetric{
     "m", "g", "s", "A", "K",   "mol", "cd", "rad", "sr", "Hz", "N",  "Pa", "J", "W", "C",   "V",
     "F", "H", "T", "S", "Ohm", "Wb",  "lm", "lx",  "Bq", "Gy", "Sv", "l",  "L", "B", "bar", "eV"};

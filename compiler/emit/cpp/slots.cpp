@@ -58,7 +58,8 @@ void emitStruct(Code& code, const Context& context, const model::Struct& declara
   code.close("};").blank();
 }
 
-/// Leaves out the names of the parameters where nothing uses them.
+/// Without `any` the parameters have no names, because the compiler would warn of unused ones.
+/// `any` is true if the type has fields.
 std::string storeSignature(const std::string& type, const std::string& slot, bool any = true) {
   return "bool store(const " + type + "&" + (any ? " value, " : ", ") + kBreak + slot + "&" +
          (any ? " slot)" : ")");
@@ -108,7 +109,7 @@ void emitReserve(Code& code, const model::Struct& declaration, const model::Look
   code.close("}").blank();
 }
 
-/// Calls `emit` for each type of the header, with its slot's name.
+/// Calls `emit` for each struct of the header, with the name of its slot.
 template <class Emit>
 void forEachSlot(const Context& context, const Emit& emit) {
   for (const model::Struct& declaration : context.header.structs) {

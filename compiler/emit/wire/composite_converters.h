@@ -10,7 +10,7 @@
 
 namespace suture::compiler::emit {
 
-/// Writes each pair of functions once a generated source.
+/// Writes each pair of functions into a generated source only once.
 class CompositeConverters {
  public:
   explicit CompositeConverters(const Context& context) : context_(context) {}

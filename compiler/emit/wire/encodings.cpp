@@ -15,6 +15,7 @@ std::string decodeSignature(const model::Struct& type) {
          kBreakText + type.name + "& value)";
 }
 
+/// Returns the template arguments that name the wire form of the type and its slot:
 /// "<reference::wire::PoseStamped, reference::PoseStampedSlot>".
 std::string formsOf(const model::Struct& type, const Context& context) {
   const std::string& home = context.header.cxxNamespace;

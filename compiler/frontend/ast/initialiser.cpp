@@ -10,8 +10,8 @@
 namespace suture::compiler::frontend {
 namespace {
 
-// Returns the default constructor that a user wrote, or null. If it is a template that is called
-// without arguments, it returns the pattern, because only that can be seen.
+// Returns the default constructor that a user wrote, or null. If it is a template that can be
+// called without arguments, this returns its pattern, because clang shows no more of it.
 const clang::CXXConstructorDecl* writtenConstructor(const clang::CXXRecordDecl* record) {
   for (const clang::CXXConstructorDecl* one : record->ctors()) {
     if (one->isDefaultConstructor()) return one->isUserProvided() ? one : nullptr;
@@ -59,7 +59,8 @@ const clang::Expr* inTemplate(const clang::FieldDecl* field) {
   return found == nullptr || found->isInstantiationDependent() ? nullptr : found;
 }
 
-// Tells if the constructor hands over to another, or stands in another file.
+// Tells if what the constructor does cannot be seen in its body, because it delegates to another
+// constructor or is defined in another file.
 bool isElsewhere(const clang::CXXConstructorDecl* constructor) {
   const clang::CXXConstructorDecl* const definition = definitionOf(constructor);
   return definition == nullptr || definition->isDelegatingConstructor();

@@ -56,8 +56,8 @@ bool Reporter::isError(const model::Diagnostic& finding) const {
          fatal_.contains(finding.slug);
 }
 
-// Tells if a hint is on the finding's line, because clang would print all lines from the one to the
-// other.
+// Tells if a hint is on the finding's line. One that is elsewhere must not be shown with the
+// finding, because clang would print all lines from the one to the other.
 bool Reporter::areOnOneLine(clang::SourceLocation a, clang::SourceLocation b) const {
   const clang::SourceManager& sources = engine_.getSourceManager();
   return sources.getFileID(a) == sources.getFileID(sources.getExpansionLoc(b)) &&

@@ -16,6 +16,8 @@ constexpr std::int64_t kRowMajorBit = 1;
 constexpr std::int64_t kIsometryMode = 1;
 constexpr std::int64_t kAffineMode = 2;
 constexpr std::int64_t kDynamic = -1;
+
+// This bound is ours: how many coefficients a matrix of fixed size may have.
 constexpr std::int64_t kLargestMatrix = 1 << 16;
 
 std::int64_t number(const Specialisation* type, unsigned index) {
@@ -75,8 +77,8 @@ std::optional<unsigned> boundOf(const Specialisation* type, unsigned index) {
   return most == kDynamic ? std::nullopt : std::optional(static_cast<unsigned>(most));
 }
 
-/// Maps an Eigen type some extent of which is known at run time only. A vector is a list of its
-/// coefficients, a matrix of so many rows a list of its columns.
+/// Maps an Eigen type whose number of rows or columns is known only at run time. A vector becomes a
+/// list of its coefficients, and a matrix with a fixed number of rows a list of its columns.
 MappedType mapDynamic(const Specialisation* type, const model::Type& scalar) {
   const std::int64_t rows = number(type, 1), columns = number(type, 2);
   model::Type mapped;

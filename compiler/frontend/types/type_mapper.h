@@ -1,6 +1,7 @@
 #pragma once
-// These lead from a clang type to the wire view of it. Types are recognised by their template's
-// declaration and canonical arguments, never by printed text, which changes between versions.
+// These map a clang type to the wire view of it. They recognise a type by its template's
+// declaration and canonical arguments, never by printed text, which changes between versions of
+// clang.
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/Type.h>
@@ -27,21 +28,22 @@ using MappedType = std::variant<model::Type, TypeProblem>;
 /// Returns the wire view of a type that is held by value; const and references must be off.
 MappedType mapType(clang::QualType type, const NamedTypes& names);
 
-/// Returns the problem of a type that is none of those that a wire carries.
+/// Returns the problem of a type that has no form on the wire.
 TypeProblem noWireForm();
 
-/// Gives the bounds of capacity(), outside in, to those strings, lists, maps and matrices in the
-/// type that have none yet. Returns false if there are more bounds than levels.
+/// Gives the bounds of capacity(), the outermost first, to those strings, lists, maps and matrices
+/// in the type that have none yet. Returns false if there are more bounds than levels.
 bool applyCapacity(model::Type& type, const std::vector<unsigned>& bounds);
 
-/// Lets the type travel as a block of bytes. Returns false if it is no row of numbers.
+/// Lets the type travel as a block of bytes. Returns false if it is not a list, an array or a large
+/// matrix of plain numbers.
 bool makeBulk(model::Type& type);
 
 /// Tells if range() means something: the type is, or is a container of, plain numbers.
 bool holdsNumbers(const model::Type& type);
 
-/// Tells if unit() means something: there are plain numbers, or a transform, of which it is the
-/// translation's.
+/// Tells if unit() means something: the type holds plain numbers, or a transform, whose translation
+/// has the unit.
 bool holdsQuantities(const model::Type& type);
 
 /// Spells the type as a message shows it.

@@ -28,7 +28,7 @@ std::string bulkScalar(const model::Type& type);
 /// Returns the number that a scalar or a duration travels as.
 model::Scalar wireScalar(const model::Type& type);
 
-/// Returns "Int32", "Float64" and so on.
+/// Spells the scalar as capnp does: "Int32", "Float64".
 std::string_view capnpScalar(model::Scalar scalar);
 
 /// Spells a declared enum, struct or contract, given its qualified C++ name: "PoseStamped", or
