@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kJawEffort = 0.16;  // N.m; LARGE_NEEDLE_DRIVER_400006.json: jaw, ftmax
 
-// The rule holds for the wrist pitch, which follows four joints. jhu-dvrk/sawIntuitiveResearchKit,
-// mtsIntuitiveResearchKit.h: PSM::SafeDistanceFromRCM and SafeDistanceFromRCMBuffer.
+// The rule is about the frame of the wrist pitch, which lies behind four joints. Its numbers are
+// PSM::SafeDistanceFromRCM and SafeDistanceFromRCMBuffer of jhu-dvrk/sawIntuitiveResearchKit,
+// mtsIntuitiveResearchKit.h.
 constexpr InsertionRule kInsertionRule{.joints = 4, .least = 0.045, .buffer = 0.002};
 
 ArmModel<6> model(const PsmParameters& parameters) {

@@ -15,7 +15,8 @@ namespace {
 using Eigen::Vector3d;
 using MtmJoints = Chain<7>::Joints;
 
-// Returns the yaw that turns the arm's plane to the wrist; the opposite one does so too.
+// Returns the yaw that turns the arm's plane to the wrist; the opposite yaw does so too. If the
+// wrist is on the yaw's axis, every yaw does, and this returns `otherwise`.
 double yawToward(const Vector3d& wrist, double otherwise) {
   if (std::hypot(wrist.x(), wrist.y()) <= kOpenLength) return otherwise;
   return std::atan2(wrist.y(), wrist.x()) + kHalfPi;
@@ -25,7 +26,7 @@ double yawToward(const Vector3d& wrist, double otherwise) {
 // between their ends.
 struct Reach {
   double forearm = std::hypot(kMtmForearm, kMtmForearmDrop);  // m
-  double bend;                                                // cosine of the outer angle between
+  double bend;  // cosine of the outer angle between the upper arm and the forearm
 
   explicit Reach(const Vector3d& wrist)
       : bend((wrist.squaredNorm() - kMtmUpperArm * kMtmUpperArm - forearm * forearm) /

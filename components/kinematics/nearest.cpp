@@ -10,7 +10,8 @@
 namespace robots::kinematics {
 namespace {
 
-// Newton's steps shrink by squares, so after a step this small (rad or m) the next is nothing.
+// Near the goal each of Newton's steps is about the square of the one before, so after a step this
+// small (rad or m) the next would change nothing.
 constexpr double kLastStep = 1e-7;
 
 // Is where the search stands.

@@ -8,7 +8,7 @@ namespace robots::kinematics {
 /// Holds the linear part (m/s, N) before the angular one (rad/s, N.m), along the axes of one frame.
 using SpatialVector = Eigen::Matrix<double, 6, 1>;
 
-/// Returns the same at the same point, along the axes to which `rotation` leads.
+/// Returns the same twist or wrench, of the same point, along the axes to which `rotation` leads.
 template <class Rotation>
 SpatialVector rotated(const Eigen::MatrixBase<Rotation>& rotation, const SpatialVector& vector) {
   SpatialVector result;

@@ -18,7 +18,7 @@ namespace robots {
 /// declared after them. Does nothing in a deployment that does not connect both.
 class JawFollower {
  public:
-  /// On data older than `maxAge` it does not act: the jaw stays where it is, and begins anew.
+  /// While data are older than `maxAge` the jaw stays where it is; then following begins anew.
   JawFollower(suture::Required<Gripper>& gripper, suture::Required<Jaw>& jaw,
               const JawSettings& settings, suture::Duration maxAge)
       : gripper_(gripper), jaw_(jaw), settings_(settings), maxAge_(maxAge) {

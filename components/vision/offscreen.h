@@ -30,14 +30,15 @@ class Offscreen {
   /// The size is in px. Throws suture::SetupError if Mesa cannot make it.
   Offscreen(int width, int height);
 
-  /// Says what to draw where. Smooth edges take several times as long, so there should be no more
-  /// rows than need them, and the squares should be small.
+  /// Says what to draw where. Smooth edges take several times as long, so `rows` should have only
+  /// those rows that need them, and the squares should be small.
   struct Parts {
     std::function<void()> background;  ///< draws the whole image while OpenGL draws here
     std::function<void()> all;         ///< draws it too, with all that has edges
     Rows rows;                         ///< have smooth edges, of four samples a pixel
-    /// These have the light of each pixel as a sensor adds it up, of sixteen samples. A square that
-    /// is larger than kLargestSquare, or reaches beyond the image, is drawn as its rows are.
+    /// In these each pixel is the mean of sixteen samples, as a sensor adds up the light that falls
+    /// on a pixel. A square that is larger than kLargestSquare, or reaches beyond the image, is
+    /// drawn as its rows are.
     std::vector<Square> squares;
   };
   static constexpr int kLargestSquare = 64;  ///< px

@@ -33,20 +33,21 @@ class MotionStream {
     SpatialWrench
   };
 
-  /// `activity` is a text of static storage, by which the arm says what it does meanwhile. This one
-  /// releases the joints and lets the set-point follow them.
+  /// Releases the joints and lets the set-point follow them. Here and below, `activity` is a text
+  /// of static storage by which the arm says what it does meanwhile.
   void beFree(std::string_view activity);
   /// Bounds a rate, which is in rad/s or m/s.
   struct JointBounds {
     typename RateRamp<N>::Limits change = {};
-    /// Holds the positions that a joint does not pass; a joint that is there stays there.
+    /// Holds the positions that no joint passes; a joint that has reached its own stays there.
     std::optional<Joints> guard = {};
   };
   void follow(const Joints& rate, std::string_view activity, const JointBounds& bounds = {});
   /// Bounds a twist of the tip, which is along its own axes (BodyTwist) or those of the base
   /// (SpatialTwist).
   struct TwistBounds {
-    /// Is along `axes`, which rotates from the axes of the twist to those of the base.
+    /// The twist and these limits are along axes that `axes` rotates to those of the tip
+    /// (BodyTwist) or of the base (SpatialTwist).
     RateRamp<6>::Limits change = {};
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   };
@@ -77,8 +78,9 @@ class MotionStream {
   std::optional<Step> next(const kinematics::Chain<N>& chain,
                            kinematics::InverseFunction<N> inverse, const Joints& setpoint,
                            const Joints& measured, double dt);
-  /// Returns what the motors of joints at `measured` do. A wrench that asks of a motor for more
-  /// than `most` is shortened in its direction, an effort of single joints is cut.
+  /// Returns what the motors of joints at `measured` do. If a wrench asks a motor for more than
+  /// `most`, all efforts shrink by one factor, so that it keeps its direction; of efforts of single
+  /// joints only those that are too large shrink.
   MotorOrder<N> motors(const kinematics::Chain<N>& chain, const Joints& measured,
                        const Joints& most) const;
 
