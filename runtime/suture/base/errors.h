@@ -18,8 +18,7 @@ enum class Errc : std::uint8_t {
   Lost,              ///< the connection broke; nothing reaches the provider until it is back
   Full,              ///< as many of this command wait at the provider as it accepts
   TooLarge,          ///< a string or list exceeds the capacity that its header declares, or the
-                     ///< value
-                     ///< exceeds what a link carries in one message
+                     ///< value exceeds what a link carries in one message
   NotYet,            ///< the provider has not produced this value yet; this read made it start
   Timeout,           ///< the deadline passed; the provider may have run the call or not
   OutcomeUnknown,    ///< the connection broke after the call was sent; it may have run
@@ -54,7 +53,7 @@ Result<Nothing> resultOf(Errc error) {
   return error == Errc{} ? Result<Nothing>{} : Result<Nothing>{tl::unexpect, error};
 }
 
-/// Thrown while a system is put together (never from a control loop).
+/// Is thrown while a system is put together, and never in a control loop.
 class SetupError : public std::runtime_error {
  public:
   /// `asked` says what was wanted, `found` what was there instead, `remedy` what to do about it.

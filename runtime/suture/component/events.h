@@ -84,7 +84,7 @@ template <>
 class Subscription<void> : public SubscriptionBase {
  public:
   Subscription(RequiredParts& required, std::uint16_t event) : SubscriptionBase(required, event) {}
-  /// These do what those of the other Subscription do.
+  /// These do what the members of the same names do in Subscription<Slot, Payload...>.
   Result<void> operator()(std::function<void()> handler);
   Result<void> direct(std::function<void()> handler);
   [[nodiscard]] NextEvent<void> next();
@@ -157,7 +157,7 @@ class Subscription : public SubscriptionBase {
   /// component's own thread runs. So it must be short, safe to call from any thread, and not use
   /// this component's required interfaces (Errc::WrongThread). If it throws, that parks this
   /// component, not the emitter. While this component is suspended or faulted, and from any other
-  /// process, the event is queued as every other and `handler` runs in this component's thread.
+  /// process, the event is queued like any other and `handler` runs in this component's thread.
   Result<std::void_t<Slot>> direct(std::function<void(const Payload&...)> handler) {
     return resultOf<std::void_t<Slot>>(
         subscriptions_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler)), true));

@@ -77,11 +77,11 @@ class RequiredBase : protected RequiredParts {
   /// an operator.
   Errc unusable(std::uint16_t command) { return attachment.unusable(command); }
 
-  /// Owner's thread, after Errc::Invalid; never allocates. Returns which part of the value was
-  /// invalid: "servo_cp.goal.pose". It begins with the name of the command or event, is of the last
-  /// value of this connection that this process refused, and is empty before the first. Such a
-  /// value is arguments that were to be sent, or a copy of what another process wrote; of a
-  /// provider in this process also its answers, rows and events.
+  /// Owner's thread, after Errc::Invalid; never allocates. Returns which part of a value was
+  /// invalid, beginning with the name of the command or event: "servo_cp.goal.pose". The value is
+  /// the last one of this connection that this process refused; the path is empty if it has refused
+  /// none. A process refuses arguments that it was to send, and copies of what another process
+  /// wrote; if the provider is in this process, also its answers, rows and events.
   FieldPath lastInvalid() const;
 
   /// Any thread. Returns the events that are subscribed to.
@@ -94,10 +94,10 @@ class RequiredBase : protected RequiredParts {
 
   /// Owner's thread. Takes over the channel that attach() left.
   void adopt() { attachment.adopt(); }
-  /// Owner's thread. Does adopt(), and what the connection's contract says of a loss.
+  /// Owner's thread. Calls adopt(), and does what the connection's contract says of a loss.
   void lookAtConnection() { attachment.lookAt(); }
-  /// The owner's thread; for a device, any. Admits commands that await their operator again. A
-  /// device does so when it looks at the connection next.
+  /// Owner's thread; for a device, any thread. Admits commands again that await their operator. A
+  /// device admits them when it next looks at the connection.
   ResumeOutcome resume() { return attachment.resume(); }
   /// Owner's thread. Runs the handlers of the events that have arrived, then those of the calls
   /// that have ended.

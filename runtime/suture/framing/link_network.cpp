@@ -10,8 +10,8 @@ using capnp::rpc::twoparty::Side;
 using capnp::rpc::twoparty::VatId;
 using Base = capnp::TwoPartyVatNetworkBase;
 
-/// Is a message that is being built. Most fit into the same block of memory; the rest of a longer
-/// one goes into further segments.
+/// Is a message that is being built. Most messages fit into the room inside this object; the rest
+/// of a longer one goes into further segments.
 class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
  public:
   explicit Outgoing(MessageStream& stream) : stream_(stream), message_(room_) {}

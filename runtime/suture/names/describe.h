@@ -6,8 +6,8 @@
 
 namespace suture {
 
-/// The thread that adds components, or any after that. Describes all components that were added so
-/// far.
+/// The thread that adds components calls this, or any thread once all have been added. Describes
+/// the components that have been added so far.
 std::vector<ComponentRecord> describeComponents(const Directory& directory);
 
 }  // namespace suture

@@ -13,7 +13,7 @@ class Keys;
 
 namespace suture::rpc {
 
-/// Is a value.
+/// Any thread may have its own copy.
 struct Trust {
   std::shared_ptr<const tls::Keys> keys{};  ///< null: no tls:// address can be used
   std::vector<uid_t> users{};  ///< trusted on Unix sockets, beside this process's user and root

@@ -37,9 +37,9 @@ class EventCollector final : public EventTask {
 
   // --- any thread
 
-  /// Keeps the events that it comes to from now on, and sets all counts to zero.
+  /// From now on keeps the events that it takes, and sets all counts to zero.
   void startCollecting();
-  /// Discards the events that it comes to from now on, without counting them.
+  /// From now on discards the events that it takes, without counting them.
   void stopCollecting();
   bool collecting() const { return collection_.active(); }
   CollectedCounts counts() const { return collection_.counts(); }

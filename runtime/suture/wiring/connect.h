@@ -12,8 +12,8 @@
 
 namespace suture {
 
-/// Returns a contract of which only the description is here, as far as the functions below need it.
-/// It keeps pointers to all three.
+/// Returns as much of a contract as the functions below need, if this process has only its
+/// description. It keeps pointers to all three arguments.
 InterfaceInfo describedInfo(const std::string& name, const std::string& hash,
                             const std::string& description);
 
@@ -33,7 +33,7 @@ Match requireSameContract(const InterfaceInfo& required, const InterfaceInfo& pr
 Match requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
                                 const std::string& connection);
 
-/// Returns what the two say differently, a line each, for people.
+/// Returns where the two contracts differ, in one line for each difference, for people.
 std::vector<std::string> contractDifferences(const InterfaceInfo& required,
                                              const InterfaceInfo& provided);
 

@@ -21,13 +21,14 @@ enum class Fallback : std::uint8_t {
 /// Says who admits commands again after a loss or a stale read.
 enum class Resume : std::uint8_t { Automatic, Operator };
 
-/// Is a value. A duration of 0 means no limit, unless its comment says otherwise.
+/// Any thread may have its own copy. A duration of 0 means no limit, unless its comment says
+/// otherwise.
 struct ConnectionContract {
   static constexpr Duration kDefaultSilence = std::chrono::seconds(2);
   static constexpr Duration kShortestSilence = std::chrono::milliseconds(10);
 
   Duration maxAge{0};    ///< limits the age of what reads answer
-  Duration deadline{0};  ///< limits what within() waits for, in place of what the commands state
+  Duration deadline{0};  ///< limits how long within() waits, in place of what the commands state
   Fallback onStale = Fallback::Hold;
   Fallback onLoss = Fallback::Hold;
   Resume resume = Resume::Automatic;
@@ -40,13 +41,14 @@ struct ConnectionContract {
   bool operator==(const ConnectionContract&) const = default;
 };
 
-/// Has the contract of one connection and how it has been kept. It lives on when a lost connection
-/// gets a new channel.
+/// Has the contract of one connection, and says how it has been kept. It lives on when a lost
+/// connection gets a new channel.
 struct ConnectionWatch {
   explicit ConnectionWatch(const ConnectionContract& agreed) : contract(agreed) {}
 
   const ConnectionContract contract;
-  /// Set by the client's thread, cleared by the operator's: commands are refused meanwhile.
+  /// The client's thread sets this, and the thread that resumes the connection clears it. Commands
+  /// are refused meanwhile.
   std::atomic<bool> awaitsOperator{false};
   std::atomic<std::uint64_t> staleReads{0}, losses{0};  ///< written by the client's thread
 };

@@ -25,7 +25,7 @@ struct ComponentEntry {
   std::filesystem::path sharedLibrary;  ///< the file that has the class; "": the program
   nlohmann::json parameters;
   std::optional<RestartBudget> restart;
-  std::optional<rt::Scheduling> scheduling;  ///< of its thread; without, as its class says
+  std::optional<rt::Scheduling> scheduling;  ///< of its thread; none: as its class says
   std::map<std::string, Frames> frames;      ///< by the names of its interfaces
   std::string pointer;                       ///< its place in the document
 };
@@ -75,7 +75,7 @@ class Deployment {
   const std::vector<ProcessEntry>& processes() const { return processes_; }
   const std::vector<ConnectionEntry>& connections() const { return connections_; }
 
-  /// Returns the process of that name. Throws DocumentError with what exists.
+  /// Returns the process of that name. Throws DocumentError that lists the processes that exist.
   const ProcessEntry& process(std::string_view name) const;
   /// Returns `path` relative to the folder of the file, as a deployment means it.
   std::filesystem::path besideIt(const std::string& path) const;

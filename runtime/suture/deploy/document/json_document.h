@@ -13,8 +13,8 @@
 
 namespace suture {
 
-/// Says what is wrong with a document: every problem, each as "file:line: error: what was asked,
-/// found and to do".
+/// Says everything that is wrong with a document: each problem as "file:line: error: what was
+/// found; what to do". The place says what was asked.
 class DocumentError : public std::runtime_error {
  public:
   explicit DocumentError(std::vector<std::string> problems);

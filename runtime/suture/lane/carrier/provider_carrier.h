@@ -43,8 +43,8 @@ class ProviderCarrier {
     ~Wire() = default;
   };
 
-  /// Both outlive this. `commands` has, by the number that the client gives a command, its number
-  /// here, or kUnknown; it is empty if the two have the same numbers.
+  /// `channel` and `wire` outlive this. `commands` maps the number that the client gives a command
+  /// to its number here, or to kUnknown; it is empty if all numbers are the same.
   ProviderCarrier(Channel& channel, Wire& wire, std::vector<std::uint16_t> commands = {});
 
   /// From now on accepts only reads: a command is refused (Errc::NotPermitted).
@@ -80,7 +80,8 @@ class ProviderCarrier {
 
   // --- to the client
 
-  /// Sends what there is, as far as there is room. Returns true if it goes on at the next turn.
+  /// Sends everything that waits, as far as the wire has room. Returns true if it goes on at the
+  /// next turn.
   bool give();
   void giveReplies();
   void giveTally();

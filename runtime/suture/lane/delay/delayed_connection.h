@@ -21,7 +21,7 @@ namespace suture {
 /// A command is due `delay.commands` after it was sent, and keeps its stamp, so a ttl sees the
 /// delay. An answer is due `delay.answers` after it arrived here, and keeps its stamp too, so a
 /// read's age shows the delay. Credits, subscriptions and the first request for a read are not
-/// delayed. Neither these nor losses of the provider meet faults.
+/// delayed. Faults strike neither these nor the news that the provider is lost.
 ///
 /// With faults, messages may be lost, come twice or out of order; docs/lanes.md says what still
 /// holds. near->client.delivery counts what was noticed.
@@ -86,8 +86,8 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   };
   std::deque<Outstanding> outstanding_;  // at most as many as there are credits
   CallsUnderWay calls_;
-  // These hold the state when the last marks were sent, which the next marks say: a message that
-  // takes no longer than the time between the two is not given up.
+  // These hold the state at the last marks, because the next marks tell that state and not the
+  // present one: so a message that takes no longer than from one mark to the next is not given up.
   std::uint64_t delivered_ = 0;  // commands
   std::uint64_t commandsSent_ = 0, answersSent_ = 0;
   CallsMark callsMark_{};

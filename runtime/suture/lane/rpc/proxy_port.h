@@ -52,9 +52,9 @@ class ProxyPort final : public ClientEnd,
 
  private:
   Duration shift() const { return channel_->clockShift(); }
-  /// Answers the newest event with the next command, or when another event arrives. A message only
-  /// for that would cost both processes a wake-up, and the provider does not wait for it before
-  /// ServantPort::kWindow of them.
+  /// Answers the newest event with the next command, or when another event arrives. A message for
+  /// the answer alone would cost both processes a wake-up, and the provider goes on without it
+  /// until ServantPort::kWindow events are unanswered.
   kj::Promise<void> acknowledge();
   void releaseAcknowledgement();
   void ending() override;

@@ -12,8 +12,9 @@
 
 namespace suture {
 
-/// Belongs to the control thread. Notes in `client` when its process answers a heartbeat, which
-/// renews all leases of the link's connections, and ends those that have run out.
+/// Belongs to the control thread. Notes in `client` when this process sent the last answer to a
+/// heartbeat that the client has received: that renews the leases of all connections of the link.
+/// Ends the leases that have run out.
 class ClientLeases {
  public:
   ClientLeases(rpc::ControlThread& control, std::shared_ptr<PeerState> client)
@@ -21,7 +22,8 @@ class ClientLeases {
 
   /// Watches the lease of `end`.
   void watch(rpc::ProviderEnd& end);
-  /// The client has the answer to a ping which says that it was sent at `sent`; 0: it has none.
+  /// Notes that the client has received the answer that says that it was sent at `sent`; 0 if the
+  /// client has received none yet. Only the latest answer renews leases, from when it was sent.
   void hear(std::int64_t sent);
   /// Notes that an answer to a ping is about to be sent, and returns when, for the answer to say.
   std::int64_t answer();

@@ -8,9 +8,9 @@
 
 namespace suture {
 
-/// Each accepted command is counted as one of these once it has an outcome; it has none while it is
-/// under way, or if it never reached the provider. Dropped events are counted here too. These are
-/// eight words, as they travel in a frame.
+/// Counts each accepted command as one of these once it has an outcome. It has none while it is
+/// under way, or if it never reached the provider. Dropped events are counted here too. A frame
+/// carries these eight words as they lie here.
 struct Tally {
   std::uint64_t executed = 0;    ///< the handler ran to its end
   std::uint64_t late = 0;        ///< it was older than its ttl
@@ -30,7 +30,7 @@ struct Tally {
 
 using TallyWords = std::array<std::uint64_t, sizeof(Tally) / sizeof(std::uint64_t)>;
 
-/// Returns `combine(a, b)` of each count of the two.
+/// Returns a tally whose every count is `combine(a, b)` of the same count of the two.
 template <class Combine>
 Tally combined(const Tally& one, const Tally& other, const Combine& combine) {
   auto words = std::bit_cast<TallyWords>(one);
@@ -47,7 +47,7 @@ inline Tally operator-(const Tally& one, const Tally& other) {
   return combined(one, other, [](std::uint64_t a, std::uint64_t b) { return a - (a < b ? a : b); });
 }
 
-/// Is a tally that one thread writes and any reads.
+/// One thread writes this tally, and any thread may read it.
 class SharedTally {
  public:
   void store(const Tally& tally) {

@@ -26,7 +26,8 @@ bool RowCopy::go() {
   return true;
 }
 
-/// Returns true if that was all of the column. Leaves what is unused of it unchanged.
+/// Returns true if all of the column has been copied. Leaves the unused words of the slot
+/// unchanged.
 bool RowCopy::copyPart(std::size_t& most) {
   std::byte* const slot = slots_[column_];
   const std::size_t size = table_.columnSize(column_);
@@ -45,7 +46,8 @@ bool RowCopy::copyPart(std::size_t& most) {
   }
 }
 
-/// Copies the newest row at once, because the provider has gone round all rows meanwhile.
+/// Copies the newest row at once, because the provider has meanwhile overwritten the row that was
+/// being copied.
 void RowCopy::copyNewest() {
   row_ = table_.readRow(slots_);
   row_.keep(columns_);
