@@ -1,5 +1,5 @@
 #pragma once
-// This is how a loop without Suture is on time.
+// This keeps a loop without Suture to its period.
 
 #include <suture/base/time.h>
 
@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// Puts the calling thread to sleep, with clock_nanosleep.
+/// Puts the calling thread to sleep until `due`, with clock_nanosleep.
 inline void sleepUntil(suture::Time due) {
   const auto count = suture::toNanoseconds(due);
   const timespec until{count / 1'000'000'000, count % 1'000'000'000};

@@ -50,7 +50,7 @@ Calls measure(const Chain<N>& chain, InverseFunction<N> solve, Queries<N> querie
   Calls calls;
   std::size_t asked = 0;
   const auto next = [&] {
-    // Every other round of kinds asks as a stream does.
+    // Queries have eight kinds. Each kind is asked in turn as a move asks, and as a stream does.
     return Pose<N>{queries.next(), asked++ / 8 % 2 == 0 ? Postures::All : Postures::Near};
   };
   const auto call = [&](Pose<N>& pose) {

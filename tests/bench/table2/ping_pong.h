@@ -10,8 +10,9 @@
 
 namespace bench {
 
-/// Returns round trips of `bytes` bytes between two processes on processor `cpu`, blocking, ns; the
-/// first `skip` are left out. No other thread of this process may run. Throws SetupError.
+/// Returns how long each round trip of `bytes` bytes takes between two processes on processor `cpu`
+/// that block on the socket, in ns; the first `skip` are left out. No other thread of this process
+/// may run. Throws SetupError.
 std::vector<std::int64_t> pingPong(Transport transport, std::size_t bytes, std::optional<int> cpu,
                                    std::size_t skip, std::size_t samples);
 
