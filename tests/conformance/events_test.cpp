@@ -21,7 +21,7 @@ TEST_P(Events, ArriveWithAsManyValuesAsTheyHave) {
   }));
 }
 
-TEST_P(WireEvents, TheirOrderHolds) {
+TEST_P(WireEvents, ArriveInTheirOrder) {
   for (int x = 1; x <= 50; ++x) {
     arm->emitSoon([x](Ports ports) { EXPECT_TRUE(ports.arm.emit().arrived(poseAt(x))); });
     ASSERT_TRUE(client->await([x](const Received& received) {

@@ -1,5 +1,5 @@
-// Some lanes lose, repeat and reorder messages: of what the client sent and the provider executed,
-// the rules of a history hold all the same (fault/history/history.h).
+// Some lanes lose, repeat and reorder messages. What the client sent and the provider executed must
+// keep the rules of a history all the same (fault/history/history.h).
 #include <suture/component/channel/channel.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 using suture::Errc;
 using suture::HistoryEntry;
 
-/// SUTURE_FAULT_SEED chooses another one.
+/// Returns the seed of all faults; SUTURE_FAULT_SEED chooses another one, to replay a failure.
 std::uint64_t seed() {
   const char* const asked = std::getenv("SUTURE_FAULT_SEED");
   return asked == nullptr ? 1 : std::strtoull(asked, nullptr, 10);
@@ -48,7 +48,7 @@ class Losses : public Conformance {
       default: return {.seed = seed(), .reorder = 0.2, .counts = counts_};
     }
   }
-  /// The receivers have found out what the lane does.
+  /// Tells if the receivers have noticed what the lane does to messages.
   bool isNoticed() const {
     const suture::DeliveryCounters& seen = channel()->client.delivery;
     switch (GetParam().filter) {
@@ -71,7 +71,7 @@ class Losses : public Conformance {
     arm->emitSoon([number = ++events_](Ports ports) {
       PoseStamped tag = poseAt(1);
       tag.pose.translation().y() = number;
-      ports.arm.emit().arrived(tag);  // full: it is counted
+      ports.arm.emit().arrived(tag);  // if the queue is full, the loss is counted
     });
     client->await([](const Received&) { return true; });
   }
@@ -81,7 +81,7 @@ class Losses : public Conformance {
         [&](Arm& remote) { answered = remote.distance.start({}).within(50ms).has_value(); });
     return answered;
   }
-  // Tells if each credit is back, since no command may keep its place at the provider for ever.
+  /// Tells if each credit is back, since no command may keep its place at the provider for ever.
   bool creditsAreBack() const {
     const auto connection = channel();
     for (std::uint16_t i = 0; i < connection->info.commands.size(); ++i) {
