@@ -30,7 +30,7 @@ class NameService {
     write("resolv.conf", std::string("nameserver ") + kServer + "\noptions timeout:3 attempts:1\n");
     forget();
   }
-  /// Enters it in a child, before its program.
+  /// Gives the calling process this name service. Call it in a child, before its program starts.
   void enter() const {
     if (unshare(CLONE_NEWNS) != 0 ||
         mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0)
@@ -45,9 +45,9 @@ class NameService {
     write("hosts", number + " " + host + "\n");
     silent_ = nullptr;
   }
-  /// Names cannot be found any more, which is said at once.
+  /// From now on names cannot be found, and the service says so at once.
   void forget() { write("hosts", "127.0.0.1 localhost\n"); }
-  /// ...or is not said at all.
+  /// From now on names cannot be found, and the service never answers.
   void fallSilent() {
     forget();
     silent_ = kj::AutoCloseFd(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
@@ -58,7 +58,7 @@ class NameService {
     EXPECT_EQ(bind(silent_, reinterpret_cast<sockaddr*>(&here), sizeof here), 0);
   }
 
-  /// While it is silent: waits for a question.
+  /// Waits for a question, and returns false if none comes; only after fallSilent().
   bool wasAsked() const {
     pollfd question{silent_.get(), POLLIN, 0};
     return poll(&question, 1, 10'000) == 1;
@@ -85,7 +85,8 @@ class HostNames : public testing::Test {
     ASSERT_EQ(std::system("ip link set lo up"), 0);
   }
 
-  /// The provider is known to the manager at that number.
+  /// Tells if the manager at that number knows the provider: then it refuses a second process of
+  /// the provider's name.
   static bool knows(const std::string& number) {
     const std::string why =
         refusal([&] { Manager("robot", at(number), std::chrono::milliseconds(20)); });
@@ -109,7 +110,7 @@ TEST_F(HostNames, AConnectedProcessNeedsNoNameService) {
   ASSERT_EQ(client->line(), "ready");
   ASSERT_TRUE(system_.works(true));
 
-  // The manager is lost, and back where it was: the name service cannot tell where that is.
+  // The manager ends and comes back where it was, while the name service cannot tell where that is.
   for (const bool silent : {false, true}) {
     silent ? names_.fallSilent() : names_.forget();
     manager->end(SIGKILL);

@@ -90,8 +90,9 @@ TEST_P(Liveness, AStoppedProcessIsLost) {
   }
 }
 
-// Both are in one session, whose one heartbeat each judges by its own silence.
-TEST_P(Liveness, ALongerSilenceIsBorneAlone) {
+// Both connections are in one session and hear the same heartbeat, but each judges it by its own
+// silence.
+TEST_P(Liveness, ALongerSilenceHoldsForItsConnectionAlone) {
   connect("First/Arm", "there:PSM1/Arm", 200ms);
   connect("Second/Arm", "there:PSM2/Arm", 1min);
   ASSERT_TRUE(eventually([&] { return first_.error == Errc{} && second_.error == Errc{}; }));
@@ -117,7 +118,7 @@ TEST_P(Liveness, AHungTaskIsLostAlone) {
     hang(first_, speed);
     ASSERT_TRUE(eventually([&] { return first_.error == Errc::Lost; }));
     EXPECT_TRUE(whyLost("First/Arm", provider).starts_with("hung: ")) << provider;
-    // No client is connected for as long as it hangs.
+    // While it hangs, no other client can connect to it.
     const int heard = second_.heard;
     expectRefused("Third/Arm", provider);
     EXPECT_EQ(first_.error, Errc::Lost);
@@ -132,8 +133,9 @@ TEST_P(Liveness, AHungTaskIsLostAlone) {
   }
 }
 
-// A task that hangs is found, by a bound that is ten times as long.
-TEST_P(Liveness, ATaskThatSleepsIsNoneThatHangs) {
+// The task that hangs has a silence that is ten times as long as that of the task that sleeps. When
+// it is found to hang, the other would have been found long before.
+TEST_P(Liveness, ASleepingTaskDoesNotCountAsHung) {
   first_.asks = false;
   second_.asks = false;
   connect("First/Arm", "there:PSM1/Arm", 100ms);
@@ -141,13 +143,14 @@ TEST_P(Liveness, ATaskThatSleepsIsNoneThatHangs) {
   ASSERT_TRUE(eventually([&] { return first_.error == Errc{} && second_.error == Errc{}; }));
   hang(second_, 0);
   ASSERT_TRUE(eventually([&] { return whyLost("Second/Arm", "PSM2/Arm").starts_with("hung: "); }));
-  // A machine that does something else may keep the process silent for so short a time.
+  // A busy machine may keep the whole process silent for so short a time, so the connection may be
+  // lost, but not as hung.
   EXPECT_FALSE(whyLost("First/Arm", "PSM1/Arm").starts_with("hung: "));
   EXPECT_TRUE(eventually([&] { return first_.error == Errc{}; }));
   stopHanging();
 }
 
-TEST_P(Liveness, AHangingProviderIsRefusedWithTheReason) {
+TEST_P(Liveness, AConnectionToAHungProviderIsRefusedWithTheReason) {
   connect("First/Arm", "there:PSM1/Arm");
   hang(first_, 0);
   ASSERT_TRUE(eventually([&] { return first_.error == Errc::Lost; }));
@@ -157,7 +160,7 @@ TEST_P(Liveness, AHangingProviderIsRefusedWithTheReason) {
   connect("Second/Arm", "there:PSM1/Arm");
 }
 
-TEST_P(Liveness, ABoundThatHeartbeatsCannotKeepIsRefused) {
+TEST_P(Liveness, ASilenceTooShortForHeartbeatsIsRefused) {
   const std::string why = refusal([&] { connect("First/Arm", "there:PSM1/Arm", 1ms); });
   EXPECT_NE(why.find("Allow at least 10 ms"), std::string::npos) << why;
 }

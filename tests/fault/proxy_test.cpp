@@ -72,7 +72,7 @@ class Proxy : public testing::TestWithParam<const char*> {
              system_.clientHasNoted(since, Kind::Connected);
     }));
   }
-  /// Breaks it again and again, and sees it whole each time.
+  /// Breaks the connection again and again, and expects that it works again after each time.
   void breakAndMend(const std::function<void()>& breaks) {
     for (int round = 0; round < faultRounds(); ++round) {
       ASSERT_TRUE(system_.works(true)) << round;
@@ -89,7 +89,7 @@ class Proxy : public testing::TestWithParam<const char*> {
       awaitLoss(struck);
     });
   }
-  /// Holds it up until an attempt to come back has come to nothing.
+  /// Holds the connection up until an attempt of the client to come back has come to nothing.
   void holdUp(Mode mode) {
     breakAndMend([this, mode] {
       proxy().set(mode);
@@ -110,7 +110,8 @@ class Proxy : public testing::TestWithParam<const char*> {
   }
   void expectSound() {
     end();
-    // Where a word in shared memory does not tell the provider of a broken link, its lease does.
+    // On `shm` a word in shared memory tells the provider of a broken link. On other lanes only the
+    // end of its lease does.
     const Duration unheard =
         lane() == "shm" ? 0ms : std::chrono::milliseconds(kSilenceMilliseconds);
     expectSoundHistory(system_.history(), {.lateness = kBusyMachine, .unheard = unheard});
@@ -129,20 +130,20 @@ class Proxy : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Lanes, Proxy, testing::Values("shm", "frame", "rpc"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(Proxy, Cut) { strike(Strike::Cut); }
+TEST_P(Proxy, ClosesConnections) { strike(Strike::Cut); }
 
-TEST_P(Proxy, Reset) { strike(Strike::Reset); }
+TEST_P(Proxy, ResetsConnections) { strike(Strike::Reset); }
 
-TEST_P(Proxy, Truncate) { strike(Strike::Truncate); }
+TEST_P(Proxy, PassesHalfOfWhatIsSaidAndCloses) { strike(Strike::Truncate); }
 
-TEST_P(Proxy, HalfOpen) { holdUp(Mode::HalfOpen); }
+TEST_P(Proxy, PassesNothingEitherWay) { holdUp(Mode::HalfOpen); }
 
-TEST_P(Proxy, OneWayThere) { holdUp(Mode::OnlyThere); }
+TEST_P(Proxy, PassesOnlyWhatTheClientSays) { holdUp(Mode::OnlyThere); }
 
-TEST_P(Proxy, OneWayBack) { holdUp(Mode::OnlyBack); }
+TEST_P(Proxy, PassesOnlyWhatTheClientIsTold) { holdUp(Mode::OnlyBack); }
 
-// A trickle may be enough to stay connected.
-TEST_P(Proxy, Throttle) {
+// A trickle may be enough for the client to stay connected, so it need not be told of a loss.
+TEST_P(Proxy, PassesATrickle) {
   breakAndMend([this] {
     const auto before = proxy().injected();
     const Time throttled = now();
@@ -154,7 +155,7 @@ TEST_P(Proxy, Throttle) {
   });
 }
 
-TEST_P(Proxy, Flap) {
+TEST_P(Proxy, ComesAndGoesAtRandom) {
   std::mt19937 random(faultSeed());
   std::uniform_int_distribution<int> milliseconds(0, 120);
   breakAndMend([&] {
@@ -166,8 +167,8 @@ TEST_P(Proxy, Flap) {
   });
 }
 
-// Bytes that were under way on a connection that was lost arrive when another has taken its place.
-TEST_P(Proxy, StrandedBytes) {
+// Bytes that are under way on a lost connection arrive after another has taken its place.
+TEST_P(Proxy, PassesStrandedBytesLate) {
   breakAndMend([this] {
     const Time stranded = now();
     proxy().strike(Strike::Strand);
@@ -176,9 +177,9 @@ TEST_P(Proxy, StrandedBytes) {
   });
 }
 
-// No part checks what `rpc` carries, so that what arrives may be another command. Whatever it was,
-// what follows arrives.
-TEST_P(Proxy, BitFlip) {
+// Nothing checks the bytes that `rpc` carries, so a wrong bit may make another command of one.
+// Whatever it has become, what follows must arrive.
+TEST_P(Proxy, FlipsABit) {
   for (int flip = 0; flip < 10 * faultRounds(); ++flip) {
     ASSERT_TRUE(system_.works(true)) << flip;
     const auto before = proxy().injected();
