@@ -13,15 +13,15 @@
 
 namespace robots::test {
 
-/// Returns a quarter of a turn at the frequency of crossover, less the operator's own delay and the
-/// loop's, s.
+/// Returns a quarter of the period at the crossover frequency, less the operator's own delay and
+/// the loop's, in s.
 inline double limitByFormula(const OperatorParameters& parameters, double loop) {
   return std::numbers::pi / (2 * parameters.crossover_frequency) - inSeconds(parameters.delay) -
          loop;
 }
 
-/// Tells if what swings gets smaller. `error()` is how far it is from its rest. It takes 33 s of a
-/// stepped clock.
+/// Tells if a swing gets smaller. `error()` is how far the loop is from its rest at that moment.
+/// This takes 33 s of a stepped clock.
 template <class Error>
 bool diesOut(const Error& error) {
   const auto swing = [&] {

@@ -84,7 +84,7 @@ TEST_F(DrivingTest, TheSlaveFollowsButNotWhileTheClutchIsPressed) {
   EXPECT_NEAR((tip(slave_) - held).norm(), 0.5 * 0.05 * 0.4, 1e-4);
 }
 
-TEST_F(DrivingTest, ASlaveDoesNotFollowAGoneGamepad) {
+TEST_F(DrivingTest, TheSlaveDoesNotFollowWhenTheGamepadIsGone) {
   ASSERT_TRUE(reaches(TeleopState::Following));
   fifo_.pullOut();
   EXPECT_TRUE(reaches(TeleopState::Clutched));

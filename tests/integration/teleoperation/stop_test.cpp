@@ -1,5 +1,5 @@
-// These press the emergency stop: four arms of two workstations, and a coordinator at a desk, over
-// each lane.
+// These press the emergency stop. Four arms of two workstations hear of it from a coordinator at a
+// desk, over each lane.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -30,7 +30,8 @@ struct OperatorPanel final : suture::Device {
   suture::Required<Arm> left{*this, "Left"}, right{*this, "Right"};
 };
 
-/// Desk, left and right workstation are three processes, but on Lane::Auto, where all is in one.
+/// Runs the desk, the left and the right workstation as three processes; with Lane::Auto all are in
+/// one.
 class Stop : public testing::TestWithParam<suture::Lane> {
  protected:
   static constexpr suture::Duration kPermit = 30ms;
@@ -65,7 +66,7 @@ class Stop : public testing::TestWithParam<suture::Lane> {
     desk_.stop();
   }
 
-  /// Both slaves have power, and move.
+  /// Gives both slaves power, and returns when they move.
   void beginMoving() {
     EXPECT_TRUE(panel_.left.enable());
     EXPECT_TRUE(panel_.right.enable());
@@ -182,13 +183,13 @@ TEST_P(Stop, StopsDrivesWhoseArmHangs) {
   EXPECT_TRUE(stands(leftSlave_));
 }
 
-/// Runs only between two processes.
+/// Runs only where the arms and the coordinator are in different processes.
 class StopAcross : public Stop {};
 INSTANTIATE_TEST_SUITE_P(Lanes, StopAcross,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(StopAcross, IsWhatACoordinatorThatStandsStillComesTo) {
+TEST_P(StopAcross, StopsDrivesWhoseCoordinatorStandsStill) {
   beginMoving();
   desksProcess_.freeze();
   pass(35ms);
@@ -200,7 +201,7 @@ TEST_P(StopAcross, IsWhatACoordinatorThatStandsStillComesTo) {
   EXPECT_TRUE(allAre(ArmState::Disabled));
 }
 
-TEST_P(StopAcross, IsWhatDrivesThatAreDisconnectedComeTo) {
+TEST_P(StopAcross, StopsDrivesThatAreDisconnected) {
   beginMoving();
   rightsProcess_.run([this] { right_.disconnect("PSM1Drives/Stop"); });
   pass(35ms);
@@ -209,7 +210,7 @@ TEST_P(StopAcross, IsWhatDrivesThatAreDisconnectedComeTo) {
   EXPECT_EQ(powerOf(leftSlave_), DrivePower::On) << "which hear of the coordinator";
 }
 
-TEST_P(StopAcross, IsWhatDrivesComeToThatStoodStill) {
+TEST_P(StopAcross, StopsDrivesWhoseProcessStoodStill) {
   beginMoving();
   rightsProcess_.freeze();
   pass(200ms);

@@ -1,5 +1,5 @@
 #pragma once
-// Pedals and viewer in the hands of the test.
+// This has the pedals and the viewer, which a test operates in place of a person.
 
 #include <suture/component/provided.h>
 #include <suture/component/task/periodic_task.h>
@@ -12,7 +12,7 @@
 
 namespace robots::test {
 
-/// Its public members are any thread's.
+/// Any thread may set its public variables.
 class TestConsole final : public suture::PeriodicTask, public FootPedals, public OperatorPresence {
  public:
   TestConsole() : PeriodicTask({.period = std::chrono::milliseconds(5)}) {}
