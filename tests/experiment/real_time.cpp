@@ -55,7 +55,7 @@ Pair pairAt(Time then, const Course& master, const Course& slave, const Course& 
   return {at(master), at(slave), at(setpoint)};
 }
 
-/// Does as OperatingRoom::truth(), of an instant that has passed.
+/// Returns the same as OperatingRoom::truth(), but of an instant that has passed.
 Truth truthAt(Time then, const Trial& trial, const Record& console, const Record& table) {
   const Course& rightLead = trial.inputs == Inputs::Two ? console.right : console.left;
   return {.knot = table.knot.at(then),

@@ -14,7 +14,8 @@
 
 namespace suture {
 
-/// Is a child process with what it prints. The destructor kills it if it has not been ended.
+/// Runs a program as a child process, and reads what it prints. The destructor kills it if it has
+/// not been ended.
 class Child {
  public:
   /// `prepare` runs in the child before the program.
@@ -41,8 +42,8 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Returns the next line that it prints; what there is of it if the child ends or is silent for a
-  /// minute.
+  /// Returns the next line that it prints, or as much of it as there is once the child has ended or
+  /// has been silent for a minute.
   std::string line() {
     std::string text;
     char one;
@@ -59,8 +60,8 @@ class Child {
     waitid(P_PID, static_cast<id_t>(pid_), &stopped, WSTOPPED | WEXITED | WNOWAIT);
   }
   pid_t pid() const { return pid_; }
-  /// Ends it and returns its exit status, or minus the signal that ended it. With `number` 0 it
-  /// waits for it to end by itself.
+  /// Sends it signal `number`, waits for its end, and returns its exit status, or minus the signal
+  /// that ended it. With `number` 0 the child has to end by itself.
   int end(int number) {
     if (number != 0) signal(number);
     int status = 0;

@@ -27,7 +27,8 @@ PacketLine::PacketLine(int from, int to, const PacketFate& fate, std::uint32_t s
 
 double PacketLine::draw() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
 
-// This draws equally often for each packet, so that what befalls one does not change the next.
+// This draws as many numbers for a lost packet as for any other, so that what befalls one does not
+// change the next.
 void PacketLine::take() {
   std::array<std::uint8_t, kLargest> bytes;
   for (;;) {
@@ -48,7 +49,7 @@ void PacketLine::take() {
 void PacketLine::deliver(suture::Time now) {
   while (!underWay_.empty() && underWay_.front().due <= now) {
     const auto& bytes = underWay_.front().bytes;
-    // The kernel there drops what it has no room for, as a network does.
+    // The receiver's kernel drops what it has no room for, as a network does.
     [[maybe_unused]] const ssize_t written = ::write(to_, bytes.data(), bytes.size());
     underWay_.pop_front();
     ++counts_.delivered;

@@ -1,5 +1,6 @@
 #pragma once
-// These are explored: small uses of each part between threads, in which every order can be tried.
+// The explorer runs these. Each uses one part from a few threads, and is so small that every order
+// of their steps can be tried.
 
 #include <functional>
 

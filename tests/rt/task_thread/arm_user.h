@@ -19,12 +19,12 @@ class ArmUser {
   /// The thread that owns the required interface calls this.
   void cycle();
 
-  // These count what came of it.
+  // These count how the commands, reads and questions ended.
   std::uint64_t reads = 0, commands = 0, refused = 0, answers = 0, events = 0;
 
-  /// Each command has been executed, each value read and each question answered, some times over,
-  /// and what tasks do once a second has been done: code that runs for the first time may cost a
-  /// page fault.
+  /// Returns true if each command has been executed, each value read and each question answered
+  /// some times over, and what tasks do once a second has been done. Before that, code that runs
+  /// for the first time may cost a page fault.
   bool isWarm() const;
 
  private:
@@ -52,7 +52,7 @@ class ArmUser {
   std::optional<Question> question_;
   std::optional<Problem> problem_;
 
-  // These are what is read, keeping its memory, and what is sent.
+  // These hold what is read, and keep its memory so that no read allocates, and what is sent.
   robots::JointConfiguration configuration_;
   robots::OperatingState state_;
   robots::IntervalStatistics periods_;
