@@ -1,4 +1,5 @@
-// These calls end without an answer, or their clients do not wait for it; cycle after cycle.
+// Connections end while their calls wait for an answer, a client floods its provider with calls,
+// and handlers of calls hear how these ended.
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
 #include <suture/wiring/connect.h>
@@ -12,7 +13,7 @@ namespace {
 using reference::ArmLike;
 using reference::Mode;
 
-/// Its cycles are the test's.
+/// Runs a cycle only when the test calls cycle().
 struct Provider final : Task {
   struct Arm final : CountingArm {
     void hold() override { onHold(); }
@@ -74,7 +75,7 @@ TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
     int held = 0;
     provider.arm.onHold = [&] {
       ++held;
-      if (held < 1000) (void)flooder.arm.hold();  // as soon as there is room, and before it was due
+      if (held < 1000) (void)flooder.arm.hold();  // at once, in the drain that runs this
     };
     constexpr int kDepth = 4;  // of hold
     for (int i = 0; i < kDepth; ++i) ASSERT_TRUE(flooder.arm.hold());

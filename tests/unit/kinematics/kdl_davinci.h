@@ -1,5 +1,5 @@
 #pragma once
-// These are the da Vinci arms a second time, as KDL has them.
+// These describe the da Vinci arms a second time, to KDL, so that its results can check ours.
 
 #include "kinematics/davinci_links.h"
 #include "unit/kinematics/kdl_oracle.h"

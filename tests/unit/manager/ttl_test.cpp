@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration kTtl = 500ms;  // of servo_cp
 
-/// Its limit() takes long.
+/// Takes `length` for each limit().
 struct SlowArm final : PeriodicTask, StillArm {
   explicit SlowArm(Duration length) : PeriodicTask({.period = 1ms}), length_(length) {}
   ~SlowArm() override { stop(); }
@@ -85,14 +85,14 @@ INSTANTIATE_TEST_SUITE_P(Lanes, Ttl,
                            return std::string(row.param ? toString(*row.param) : "local");
                          });
 
-TEST_P(Ttl, IsJudgedBehindAHandlerThatTakesLonger) {
+TEST_P(Ttl, RunsOutBehindAHandlerThatTakesLonger) {
   SlowArm arm(kTtl + 1ms);
   send(arm);
   EXPECT_EQ(arm.servos, 0);
   EXPECT_EQ(late_, 1u);
 }
 
-TEST_P(Ttl, IsKeptBehindAHandlerThatTakesLessLong) {
+TEST_P(Ttl, HoldsBehindAHandlerThatIsFaster) {
   SlowArm arm(kTtl - 10ms);
   send(arm);
   EXPECT_EQ(arm.servos, 1);

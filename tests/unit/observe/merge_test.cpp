@@ -65,13 +65,13 @@ TEST(Merge, TheTwoEndsOfAConnectionBecomeOne) {
   expectWhole(merged[0]);
 }
 
-TEST(Merge, InEitherOrderAndFromOneProcess) {
+TEST(Merge, TheTwoEndsMayComeInEitherOrderFromOneProcess) {
   const auto merged = suture::mergeConnections({{"a", {}, {providerEnd("x"), clientEnd("x")}, {}}});
   ASSERT_EQ(merged.size(), 1u);
   expectWhole(merged[0]);
 }
 
-TEST(Merge, ALossThatOneEndSeesIsTold) {
+TEST(Merge, ALossThatOnlyOneEndSeesIsReported) {
   auto provider = providerEnd("x");
   provider.status = suture::ChannelStatus::Lost;
   const auto merged =

@@ -27,8 +27,8 @@ class PseudoTerminal {
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Types the keys, and returns when they can be read: the kernel hands them over when it likes. A
-  /// terminal that waits for the end of a line has nothing to read before that.
+  /// Types the keys, and returns when they can be read, since the kernel takes a while to hand them
+  /// over. If the terminal waits for the end of a line, this returns at once.
   void type(std::string_view keys) const {
     EXPECT_EQ(write(person_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
     if (handsOverKeys()) awaitNews();
@@ -45,7 +45,7 @@ class PseudoTerminal {
     EXPECT_EQ(tcgetattr(program_, &mode), 0);
     return (mode.c_lflag & (ICANON | ECHO)) == 0;
   }
-  /// Sets the terminal as a shell does that has taken it.
+  /// Sets the terminal as a shell that has taken it does.
   void waitForLines() const {
     termios mode{};
     EXPECT_EQ(tcgetattr(program_, &mode), 0);

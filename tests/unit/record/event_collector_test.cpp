@@ -127,7 +127,7 @@ TEST(EventCollector, KeepsEveryNthEvent) {
   EXPECT_EQ(counts.collected, (counts.collected + counts.passedOver + 3) / 4);
 }
 
-TEST(EventCollector, CollectsFromStartToStopAlone) {
+TEST(EventCollector, CollectsOnlyFromStartToStop) {
   CountingSink sink;
   CollectedEvents run({.collecting = false}, sink);
   EXPECT_TRUE(eventually([&] { return run.arm.emitted > 20; }));

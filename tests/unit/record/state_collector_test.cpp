@@ -20,7 +20,7 @@ namespace {
 using namespace std::chrono_literals;
 using reference::ArmLike;
 
-/// Has an arm at 1 kHz and a collector, connected.
+/// Connects a collector to an arm that runs at 1 kHz.
 struct CollectedStates {
   CollectedStates(const StateCollectorOptions& options, Sink& sink)
       : collector(interfaceInfo<ArmLike>(), options, sink) {
@@ -47,7 +47,7 @@ void expectAscending(const std::vector<std::uint64_t>& numbers) {
   for (std::size_t i = 1; i < numbers.size(); ++i) ASSERT_LT(numbers[i - 1], numbers[i]);
 }
 
-TEST(StateCollector, RowsCollectedAndMissedAreThoseProduced) {
+TEST(StateCollector, CollectedAndMissedRowsAddUpToThoseProduced) {
   CountingSink sink;
   CollectedStates run({.reads = {"measured_cp", "measured_js"}}, sink);
   pass(1500ms);
@@ -102,7 +102,7 @@ TEST(StateCollector, KeepsAtMostOneRowEachInterval) {
   }
 }
 
-TEST(StateCollector, CollectsFromStartToStopAlone) {
+TEST(StateCollector, CollectsOnlyFromStartToStop) {
   CountingSink sink;
   CollectedStates run({.collecting = false}, sink);
   pass(30ms);
@@ -127,7 +127,7 @@ TEST(StateCollector, CollectsFromStartToStopAlone) {
   expectAscending(sink.numbers);
 }
 
-TEST(StateCollector, OverALaneTheRowsThatArrivedAreAccountedFor) {
+TEST(StateCollector, RowsThatArriveOverALaneAreAccountedFor) {
   rpc::ControlThread control;
   GlobalManager names(control, "tcp://127.0.0.1:0");
   reference::SimulatedArm arm{{}};
