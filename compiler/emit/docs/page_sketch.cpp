@@ -15,6 +15,14 @@ auto firstOf(const Declarations& all, const Condition& condition) {
   return found == all.end() ? nullptr : &*found;
 }
 
+/// Returns what `text` says of each index below `count`, with commas between.
+template <class Text>
+std::string listed(std::size_t count, const Text& text) {
+  std::string list;
+  for (std::size_t i = 0; i < count; ++i) list += (i == 0 ? "" : ", ") + text(i);
+  return list;
+}
+
 class Sketch {
  public:
   Sketch(const Context& context, const model::Interface& interface)
@@ -54,11 +62,9 @@ class Sketch {
 
   std::string subscription() const {
     if (!event_) return "";
-    std::string parameters;
-    for (std::size_t i = 0; i < event_->payload.size(); ++i) {
-      parameters +=
-          (i == 0 ? "const " : ", const ") + cxx(event_->payload[i]) + "& " + valueName(i);
-    }
+    const std::string parameters = listed(event_->payload.size(), [&](std::size_t i) {
+      return "const " + cxx(event_->payload[i]) + "& " + valueName(i);
+    });
     return "\n    " + member_ + ".on()." + event_->name + "([this](" + parameters +
            ") { ... });  // before run()\n  ";
   }
@@ -89,19 +95,12 @@ class Sketch {
   }
 
   static std::string arguments(const model::Command& command) {
-    std::string list;
-    for (const model::Parameter& one : command.parameters) {
-      list += (list.empty() ? "" : ", ") + one.name;
-    }
-    return list;
+    const auto& all = command.parameters;
+    return listed(all.size(), [&](std::size_t i) { return all[i].name; });
   }
 
   std::string values() const {
-    std::string list;
-    for (std::size_t i = 0; i < event_->payload.size(); ++i) {
-      list += (i == 0 ? "" : ", ") + valueName(i);
-    }
-    return list;
+    return listed(event_->payload.size(), [&](std::size_t i) { return valueName(i); });
   }
 
   std::string valueName(std::size_t index) const {
