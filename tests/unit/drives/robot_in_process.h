@@ -7,8 +7,11 @@
 #include <suture/manager/manager.h>
 
 #include <chrono>
+#include <string>
+#include <vector>
 
 #include "arm/arm.suture.h"
+#include "arm/arm_warning.h"
 #include "drives/drives.h"
 #include "support/pass.h"
 #include "support/stepped.h"
@@ -17,8 +20,17 @@ namespace robots::test {
 
 using namespace std::chrono_literals;
 
+/// Uses the arm, and keeps the errors that it tells.
 struct Panel final : suture::Device {
+  Panel() {
+    arm.on().error([this](const suture::Message& error) {
+      codes.push_back(static_cast<ArmWarning>(error.code));
+      texts.push_back(error.text);
+    });
+  }
   suture::Required<Arm> arm{*this, "Arm"};
+  std::vector<ArmWarning> codes;
+  std::vector<std::string> texts;
 };
 
 /// Is an enabled arm in a process with its drives.
@@ -48,7 +60,7 @@ class Robot {
     EXPECT_TRUE(panel.arm.move_jp(there));
     suture::pass(2s);
     EXPECT_EQ(drives_.feedback().power, DrivePower::On);
-    EXPECT_EQ(arm_.operating_state().state, ArmState::Enabled);
+    EXPECT_EQ(state(), ArmState::Enabled);
     return drives_.feedback().position[0] - before;
   }
 
@@ -70,13 +82,14 @@ class Robot {
     }
   }
 
+  ArmState state() { return arm_.operating_state().state; }
+  bool becomes(ArmState wanted) {
+    return suture::clockOfTest().until([&] { return state() == wanted; });
+  }
+
   Panel panel;
 
  private:
-  bool becomes(ArmState wanted) {
-    return suture::clockOfTest().until([&] { return arm_.operating_state().state == wanted; });
-  }
-
   AnArm& arm_;
   Drives& drives_;
   suture::Manager manager_{"robot"};
