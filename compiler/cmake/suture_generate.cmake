@@ -37,6 +37,7 @@ function(suture_generate)
 
   set(entry "")
   if(arg_LOADABLE)
+    suture_check_loadable(${arg_TARGET})
     set(entry ${arg_TARGET}.components.cpp)
   endif()
   foreach(stem IN LISTS stems)

@@ -77,6 +77,14 @@ function(suture_check_target target)
   set_property(GLOBAL PROPERTY SUTURE_GENERATE_${target} TRUE)
 endfunction()
 
+# The entry point of another kind of target would be found by nobody.
+function(suture_check_loadable target)
+  get_target_property(type ${target} TYPE)
+  if(NOT type MATCHES "^(SHARED|MODULE)_LIBRARY$")
+    message(FATAL_ERROR "suture_generate: '${target}' is LOADABLE and ${type}; deployments load shared libraries only: write add_library(${target} SHARED ...), or leave LOADABLE out.")
+  endif()
+endfunction()
+
 # Returns the headers' paths below the base directory, without ".h".
 function(suture_stems result target base headers)
   if(NOT headers)

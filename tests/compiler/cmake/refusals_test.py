@@ -17,6 +17,7 @@ REFUSALS = [
     ("suture_generate(TARGET elsewhere HEADERS a.h)", r"belongs to .*below; call it there"),
     ("suture_generate(TARGET code HEADERS missing.h)", r"there is no header .*missing\.h"),
     ("suture_generate(TARGET code HEADERS a.h INSTALL_DIR /usr/include)", r"INSTALL_DIR '/usr/include' is absolute; give"),
+    ("suture_generate(TARGET code LOADABLE HEADERS a.h)", r"LOADABLE and STATIC_LIBRARY; .* add_library\(code SHARED \.\.\.\)"),
     ("suture_generate(TARGET code HEADERS a.h a.h)", r"a\.h is in HEADERS twice; list it once"),
     ("suture_generate(TARGET code HEADERS a.h LOCK_PATH /nowhere)", r"no folder '/nowhere' of LOCK_PATH; give"),
     ("suture_generate(TARGET code HEADERS b.hpp)", r"b\.hpp does not end with \.h"),
