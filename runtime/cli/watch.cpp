@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/base/nearest.h>
 #include "cli/peer/wait.h"
 #include "cli/text/answer_text.h"
 #include "cli/text/screen.h"
@@ -8,6 +9,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace suture::cli {
 namespace {
@@ -79,6 +82,20 @@ void watchEvents(rpc::EventPort& loop, Provider& provider, const Options& option
   wait(loop, 2 * kForever, kj::mv(ended), "");
 }
 
+/// Says what there is to watch, unless `name` is a command, which readCommand() judges.
+void requireKnown(const Contract& contract, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto* const members : {&contract.events(), &contract.commands()}) {
+    for (const Member& one : *members) {
+      if (members == &contract.commands() && one.name == name) return;
+      names.push_back(one.name);
+    }
+  }
+  throw SetupError("watch '" + name + "' of " + contract.title(),
+                   contract.name() + " has events and commands " + listNames(names),
+                   remedyForName(name, names));
+}
+
 }  // namespace
 
 int watch(rpc::EventPort& loop, const Options& options) {
@@ -93,6 +110,7 @@ int watch(rpc::EventPort& loop, const Options& options) {
   if (event != nullptr) {
     watchEvents(loop, provider, options, contract.bitOf(*event));
   } else {
+    if (!options.onlyReads) requireKnown(contract, options.member);
     watchReads(loop, provider, options);
   }
   return 0;

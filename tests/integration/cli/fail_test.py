@@ -81,6 +81,8 @@ class Fail(System):
         self.assertIn("Did you mean 'Gripper'?", self.refused("read", "robot:Hand/Griper", "mode"))
         self.assertIn("Did you mean 'opening'?", self.refused("read", GRIPPER, "openin"))
         self.assertIn("Did you mean 'open'?", self.refused("call", GRIPPER, "opn"))
+        self.assertIn("Did you mean 'stopped'?", self.refused("watch", GRIPPER, "stoped"))
+        self.assertIn("Did you mean 'opening'?", self.refused("watch", GRIPPER, "openin"))
         self.assertIn("Did you mean 'Names'?", self.refused("why", "robot:Surgeon/Name", GRIPPER))
 
     def test_the_doctor_on_each_step(self):
