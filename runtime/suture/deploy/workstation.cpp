@@ -31,6 +31,7 @@ constexpr Duration kWatchInterval = 50ms;
 constexpr Duration kShutdown = 500ms;
 // Limits the wait for a slow reader at the end.
 constexpr Duration kLastWords = 500ms;
+constexpr int kFailed = 1, kMisused = 2;  // exit status
 
 struct Options {
   std::string deployment;
@@ -52,7 +53,7 @@ Duration fromSeconds(double seconds) {
 }
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("--deployment", options.deployment, "The deployment file (JSON)")->required();
+  app.add_option("--deployment", options.deployment, "The deployment file (JSON); it is needed");
   app.add_option("--process", options.process,
                  "Which of its processes this is; may be left out if there is one only");
   app.add_option("--seconds", options.seconds, "How long to run; 0: until told to stop")
@@ -69,6 +70,34 @@ void declare(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"json", "text"}));
   app.add_flag("--messages", options.messages,
                "Tell on standard error what components say: their status, warning and error");
+}
+
+/// Returns "; did you mean '--deployment'?" for the nearest option to one that there is not.
+std::string nearestOption(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::string nearest = nearestName(word, names);
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+/// Returns the exit status if the command line ends the program.
+std::optional<int> read(CLI::App& app, Options& options, int argc, const char* const* argv) {
+  std::string problem;
+  try {
+    app.parse(argc, argv);
+    if (!options.deployment.empty()) return std::nullopt;
+    problem = "--deployment FILE is missing: it says what this process runs";
+  } catch (const CLI::ExtrasError& error) {
+    const std::string word = app.remaining().empty() ? "" : app.remaining().front();
+    problem = "there is no option '" + word + "'" + nearestOption(app, word);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    problem = error.what();
+  }
+  std::fprintf(stderr, "%s\n`%s --help` tells what there is.\n", problem.c_str(), argv[0]);
+  return kMisused;
 }
 
 /// Runs one host to its end and reports what happens.
@@ -104,7 +133,7 @@ class Run {
     const bool failed = std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
       return one.trouble.failure && (!one.trouble.loss || one.seen + kShutdown < ending);
     });
-    return failed ? 1 : 0;
+    return failed ? kFailed : 0;
   }
 
  private:
@@ -204,12 +233,12 @@ int workstationMain(int argc, const char* const* argv, std::span<const Component
   Options options;
   CLI::App app("Runs one process of a deployment.");
   declare(app, options);
-  CLI11_PARSE(app, argc, argv);
+  if (const std::optional<int> status = read(app, options, argc, argv)) return *status;
   try {
     return runWorkstation(options, classes);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n`suture why \"...\"` tells more of a line of this.\n", error.what());
-    return 1;
+    return kFailed;
   }
 }
 

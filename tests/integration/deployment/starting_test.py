@@ -4,7 +4,7 @@ import os
 import pathlib
 import unittest
 
-from stations import Stations, component
+from stations import PROGRAM, Stations, component
 
 
 class Starting(Stations):
@@ -49,6 +49,15 @@ class Starting(Stations):
         platter = self.start(hand.args[0], "--deployment", relative / "d.json", "--process", "there", cwd="/")
         for station, name in ((hand, "Hand"), (platter, "Platter")):
             self.await_line(station, f"runs '{name}'\n")
+
+    def test_a_misspelt_option_is_told_with_the_nearest(self):
+        for words, told in (("--deployement", "there is no option '--deployement'; did you mean '--deployment'?"),
+                            ("", "--deployment FILE is missing: it says what this process runs"),
+                            ("--seconds", "--seconds: 1 required FLOAT")):
+            station = self.start(PROGRAM, *words.split())
+            problems = station.communicate(timeout=60)[1]
+            self.assertTrue(problems.startswith(told), problems)
+            self.assertEqual(station.returncode, 2)
 
     def await_line(self, station, end):
         for line in station.stderr:
