@@ -2,6 +2,7 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/required.h>
 #include <suture/component/task/task.h>
+#include <suture/deploy/document/connection_ends.h>
 #include <suture/deploy/document/interface_frames.h>
 #include <suture/deploy/document/policy_file.h>
 #include <suture/deploy/host.h>
@@ -55,41 +56,6 @@ std::string lossText(const std::map<std::string, std::string>& why, const std::s
               : ". It is connected anew when that process goes on");
 }
 
-bool requiresInterface(const Component& component, const std::string& name) {
-  const auto& all = component.required();
-  return std::any_of(all.begin(), all.end(),
-                     [&](const RequiredBase* required) { return required->name() == name; });
-}
-
-/// Is what a file says wrong, and where.
-struct Unconnected {
-  std::string pointer;
-  std::string remedy;
-};
-
-/// Says why a required interface has no connection: it is at the wrong end of one, a connection of
-/// its component names an interface that there is not, or nothing mentions it.
-Unconnected unconnected(const Endpoint& from, const ComponentEntry& entry,
-                        const Component& component, std::span<const ConnectionEntry> all) {
-  const auto first = [&](const auto& condition) {
-    return std::find_if(all.begin(), all.end(), condition);
-  };
-  const auto swapped =
-      first([&](const ConnectionEntry& one) { return one.to.toString() == from.toString(); });
-  if (swapped != all.end()) {
-    return {swapped->pointer, "it is named as \"to\": exchange \"from\" and \"to\""};
-  }
-  const auto misspelt = first([&](const ConnectionEntry& one) {
-    return one.from.process == from.process && one.from.component == from.component &&
-           !requiresInterface(component, one.from.interface);
-  });
-  if (misspelt != all.end()) {
-    return {misspelt->pointer, "write it as \"from\" in the place of '" +
-                                   misspelt->from.toString() + "', which there is not"};
-  }
-  return {entry.pointer, "add a connection {\"from\": \"" + from.toString() + "\", \"to\": ...}"};
-}
-
 }  // namespace
 
 Host::Host(const Deployment& deployment, std::string_view process,
@@ -97,7 +63,7 @@ Host::Host(const Deployment& deployment, std::string_view process,
     : deployment_(deployment), process_(deployment.process(process)), patience_(patience) {
   createComponents(classes);
   declareFrames(deployment_.document(), process_, components_);
-  checkRequired();
+  checkConnections(deployment_, process_, components_);
   faults_.emplace(deployment_.document(), process_, components_);
   realTime_.giveTo(components_);
   createManager();
@@ -193,29 +159,6 @@ void Host::createManager() {
   } catch (const SetupError& error) {
     throw DocumentError({deployment_.document().locate("/manager", error.what())});
   }
-}
-
-// Nothing would ever connect such an interface, so this says so before a task silently does
-// nothing.
-void Host::checkRequired() const {
-  std::vector<std::string> problems;
-  for (std::size_t i = 0; i < components_.size(); ++i) {
-    const ComponentEntry& entry = process_.components[i];
-    for (const RequiredBase* required : components_[i]->required()) {
-      const Endpoint from{process_.name, entry.name, required->name()};
-      const auto& all = deployment_.connections();
-      const bool connected =
-          std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& connection) {
-            return connection.from.toString() == from.toString();
-          });
-      if (connected || required->isOptional()) continue;
-      const Unconnected found = unconnected(from, entry, *components_[i], all);
-      problems.push_back(deployment_.document().locate(
-          found.pointer, "required interface '" + from.toString() + "' (" + required->info().name +
-                             ") has no provider; " + found.remedy));
-    }
-  }
-  if (!problems.empty()) throw DocumentError(problems);
 }
 
 void Host::configure() {

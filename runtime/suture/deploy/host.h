@@ -35,9 +35,10 @@ class Host {
  public:
   /// Creates the components of `process` from `classes` and from the libraries that it names, and
   /// its manager. `deployment` outlives the host. Throws DocumentError for a library that cannot be
-  /// loaded, an unknown class, wrong or refused parameters, a required interface that no connection
-  /// begins at, frames, a restart, a black box or a scheduling that cannot be, and a global manager
-  /// that does not answer within `patience`.
+  /// loaded, an unknown class, wrong or refused parameters, a connection that names an interface
+  /// which its component does not have, a required interface without one, frames, a restart, a
+  /// black box or a scheduling that cannot be, and a global manager that does not answer within
+  /// `patience`.
   Host(const Deployment& deployment, std::string_view process,
        std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
   Host(const Host&) = delete;
@@ -76,7 +77,6 @@ class Host {
   const SharedLibrary& library(const std::filesystem::path& file);
   void createManager();
   Security security() const;
-  void checkRequired() const;
   void announceConnections();
   void configure();
   std::vector<Trouble> componentTroubles() const;

@@ -8,18 +8,27 @@ namespace suture {
 namespace {
 
 template <class Interface>
-Interface& findIn(const std::vector<Interface*>& interfaces, const Endpoint& endpoint,
-                  const char* kind) {
-  const auto found = std::find_if(interfaces.begin(), interfaces.end(), [&](const Interface* one) {
-    return one->name() == endpoint.interface;
-  });
-  if (found != interfaces.end()) return **found;
+Interface* named(const std::vector<Interface*>& interfaces, const std::string& name) {
+  const auto found = std::find_if(interfaces.begin(), interfaces.end(),
+                                  [&](const Interface* one) { return one->name() == name; });
+  return found == interfaces.end() ? nullptr : *found;
+}
+
+/// Looks in `interfaces`, which are of this `kind`. `others` are those of the component that stand
+/// at the other end of connections.
+template <class Interface, class Other>
+Interface& findIn(const std::vector<Interface*>& interfaces, const std::vector<Other*>& others,
+                  const Endpoint& endpoint, const std::string& kind) {
+  if (Interface* const found = named(interfaces, endpoint.interface)) return *found;
   std::vector<std::string> names;
   for (const Interface* one : interfaces) names.push_back(one->name());
   throw SetupError(
-      "asked for the " + std::string(kind) + " interface '" + endpoint.toString() + "'",
+      "asked for the " + kind + " interface '" + endpoint.toString() + "'",
       "component '" + endpoint.component + "' has " + kind + " interfaces " + listNames(names),
-      remedyForName(endpoint.interface, names));
+      named(others, endpoint.interface)
+          ? "It stands at the wrong end: a connection goes from a required interface "
+            "to a provided one"
+          : remedyForName(endpoint.interface, names));
 }
 
 }  // namespace
@@ -69,14 +78,20 @@ Component& Directory::find(const std::string& component, const std::string& aske
                    remedyForName(component, names));
 }
 
+ProvidedBase& providedBy(const Component& component, const Endpoint& endpoint) {
+  return findIn(component.provided(), component.required(), endpoint, "provided");
+}
+
+RequiredBase& requiredBy(const Component& component, const Endpoint& endpoint) {
+  return findIn(component.required(), component.provided(), endpoint, "required");
+}
+
 ProvidedBase& Directory::provided(const Endpoint& endpoint) const {
-  Component& component = find(endpoint.component, endpoint.toString());
-  return findIn(component.provided(), endpoint, "provided");
+  return providedBy(find(endpoint.component, endpoint.toString()), endpoint);
 }
 
 RequiredBase& Directory::required(const Endpoint& endpoint) const {
-  Component& component = find(endpoint.component, endpoint.toString());
-  return findIn(component.required(), endpoint, "required");
+  return requiredBy(find(endpoint.component, endpoint.toString()), endpoint);
 }
 
 }  // namespace suture

@@ -13,6 +13,11 @@
 
 namespace suture {
 
+/// Return the component's interface that `endpoint` names. They throw a SetupError that lists what
+/// the component has.
+ProvidedBase& providedBy(const Component& component, const Endpoint& endpoint);
+RequiredBase& requiredBy(const Component& component, const Endpoint& endpoint);
+
 /// Any thread. Does not own the components; they outlive it. Look-ups throw a SetupError that lists
 /// what exists.
 class Directory {

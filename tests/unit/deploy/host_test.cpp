@@ -272,6 +272,30 @@ TEST(Host, RequiredInterfaceThatAConnectionMisspells) {
                 "provider; it is named as \"to\": exchange \"from\" and \"to\""});
 }
 
+// The process of the provider would else wait for ever, and say nothing.
+TEST(Host, ItsProvidedInterfaceThatAnotherProcessMisspells) {
+  const auto remote = [](const std::string& connection) {
+    return problemsOf(Deployment(JsonDocument::parse(
+        R"({"processes": [
+{"name": "all", "components": [{"name": "PSM", "class": "SimulatedArm"}]},
+{"name": "far", "components": [{"name": "C", "class": "Client"}]}],
+"manager": "unix:/tmp/suture-nobody-asks-it.sock",
+"connections": [
+)" + connection +
+            "]}",
+        "d.json")));
+  };
+  EXPECT_EQ(remote(R"({"from": "far:C/Arm", "to": "all:PSM/Amr"})"),
+            std::vector<std::string>{
+                "d.json:6: error: asked for the provided interface 'all:PSM/Amr': component 'PSM' "
+                "has provided interfaces 'Arm'. Did you mean 'Arm'?"});
+  EXPECT_EQ(remote(R"({"from": "all:PSM/Arm", "to": "far:C/Arm"})"),
+            std::vector<std::string>{
+                "d.json:6: error: asked for the required interface 'all:PSM/Arm': component 'PSM' "
+                "has required interfaces none. It stands at the wrong end: a connection goes from "
+                "a required interface to a provided one"});
+}
+
 TEST(Host, OptionalInterfaceWithoutAConnection) {
   const auto create = [](const JsonReader& in) {
     std::unique_ptr<Component> client = createWithoutParameters<Client>(in);

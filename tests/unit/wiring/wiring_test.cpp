@@ -56,7 +56,11 @@ TEST_F(Wired, AMissingInterfaceIsNamedWithTheNearest) {
             "'Arm'. Did you mean 'Arm'?");
   EXPECT_EQ(refusal([&] { directory_.required(Endpoint::parse("PSM1/Arm")); }),
             "asked for the required interface 'PSM1/Arm': component 'PSM1' has required interfaces "
-            "none. Look whether another was meant");
+            "none. It stands at the wrong end: a connection goes from a required interface to a "
+            "provided one");
+  EXPECT_EQ(refusal([&] { directory_.required(Endpoint::parse("PSM1/Slave")); }),
+            "asked for the required interface 'PSM1/Slave': component 'PSM1' has required "
+            "interfaces none. Look whether another was meant");
 }
 
 TEST_F(Wired, ANameIsTakenOnce) {
