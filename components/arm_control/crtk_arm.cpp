@@ -7,40 +7,10 @@
 
 #include "arm_control/motion/goals.h"
 #include "arm_control/motion/shortened.h"
-#include "arm_control/tip_force.h"
 #include "timing/seconds.h"
 
 namespace robots {
 namespace {
-
-using kinematics::rotated;
-using kinematics::SpatialVector;
-
-void blank(Jacobian& jacobian, int joints) {
-  jacobian.joints = static_cast<std::uint32_t>(joints);
-  jacobian.coefficients.assign(6 * static_cast<std::size_t>(joints), 0.0);
-}
-
-template <class Matrix>
-void place(Jacobian& jacobian, const Matrix& matrix, suture::Time stamp, bool valid) {
-  Matrix::Map(jacobian.coefficients.data()) = matrix;
-  jacobian.stamp = stamp;
-  jacobian.valid = valid;
-}
-
-void place(Twist& twist, const SpatialVector& value, suture::Time stamp, bool valid) {
-  twist.linear = value.head<3>();
-  twist.angular = value.tail<3>();
-  twist.stamp = stamp;
-  twist.valid = valid;
-}
-
-void place(Wrench& wrench, const SpatialVector& value, suture::Time stamp, bool valid) {
-  wrench.force = value.head<3>();
-  wrench.torque = value.tail<3>();
-  wrench.stamp = stamp;
-  wrench.valid = valid;
-}
 
 /// Appends a bound to both lists; leaves them empty if the quantity has none.
 void bound(double most, std::vector<double>& lower, std::vector<double>& upper) {
@@ -49,16 +19,11 @@ void bound(double most, std::vector<double>& lower, std::vector<double>& upper) 
   upper.push_back(most);
 }
 
-template <class Data>
-void name(Data& data, suture::FrameId moving, suture::FrameId reference) {
-  data.moving_frame = moving;
-  data.reference_frame = reference;
-}
-
 }  // namespace
 
 template <int N>
-CrtkArm<N>::CrtkArm(ArmController<N>& arm) : arm_(arm), goalJs_(arm.setpoint_js()) {
+CrtkArm<N>::CrtkArm(ArmController<N>& arm)
+    : arm_(arm), goalJs_(arm.setpoint_js()), tip_(arm.model_) {
   const ArmModel<N>& model = arm_.model_;
   base_.valid = true;
   for (int i = 0; i < N; ++i) {
@@ -76,8 +41,6 @@ CrtkArm<N>::CrtkArm(ArmController<N>& arm) : arm_(arm), goalJs_(arm.setpoint_js(
     bound(model.effort_limit[i], configuration_.effort_min, configuration_.effort_max);
   }
   configuration_.valid = true;
-  blank(bodyJacobian_, N);
-  blank(spatialJacobian_, N);
   moveGoal_.position.reserve(kMaxJoints);
   ofJoint_.reserve(255);
 }
@@ -107,13 +70,8 @@ PoseStamped CrtkArm<N>::inBase(PoseStamped pose) const {
 template <int N>
 void CrtkArm<N>::nameFrames(const suture::Frames& frames) {
   referenceFrame_ = suture::frameId(frames.reference);
-  tipFrame_ = suture::frameId(frames.moving);
   base_.reference_frame = base_.moving_frame = referenceFrame_;  // until somebody sets another
-  name(measuredCv_, tipFrame_, referenceFrame_);
-  name(setpointCv_, tipFrame_, referenceFrame_);
-  name(measuredCs_, tipFrame_, referenceFrame_);
-  name(bodyCf_, tipFrame_, tipFrame_);
-  name(spatialCf_, tipFrame_, base_.moving_frame);
+  tip_.nameFrames(suture::frameId(frames.moving), referenceFrame_, base_.moving_frame);
 }
 
 template <int N>
@@ -129,7 +87,7 @@ void CrtkArm<N>::set_base_frame(const TransformStamped& base) {
     return arm_.warn(ArmWarning::InMotion);
   }
   base_ = base;
-  name(spatialCf_, tipFrame_, base_.moving_frame);
+  tip_.nameBase(base_.moving_frame);
 }
 
 template <int N>
@@ -146,7 +104,7 @@ template <int N>
 void CrtkArm<N>::free() {
   if (!arm_.mayMove()) return;
   arm_.follow(arm_.setpoint_, {}, "free");
-  stream_.beFree("free");
+  stream_.release("free");
 }
 
 template <int N>
@@ -360,62 +318,9 @@ void CrtkArm<N>::advance(suture::Time now) {
 
 template <int N>
 void CrtkArm<N>::publish(suture::Time now) {
-  publishMotion(now);
-  publishForce();
-  publishGoal(now);
-}
-
-template <int N>
-void CrtkArm<N>::publishMotion(suture::Time now) {
-  const Eigen::Matrix3d tip = arm_.measured_cp().pose.linear();
-  const Eigen::Matrix3d toReference = base_.transform.linear();
-  const Eigen::Matrix<double, 6, N> spatial = arm_.model_.chain.jacobian(arm_.reading_.position);
-  Eigen::Matrix<double, 6, N> body;
-  body << tip.transpose() * spatial.template topRows<3>(),
-      tip.transpose() * spatial.template bottomRows<3>();
-  const bool known = arm_.measured_js().valid;
-  const suture::Time measured = arm_.reading_.stamp;
-  place(spatialJacobian_, spatial, measured, known);
-  place(bodyJacobian_, body, measured, known);
-  const SpatialVector velocity = spatial * arm_.reading_.velocity;
-  const SpatialVector asked =
-      arm_.model_.chain.jacobian(arm_.setpoint_) * arm_.setpointRate_.rate();
-  place(measuredCv_, rotated(toReference, velocity), measured, known);
-  place(setpointCv_, rotated(toReference, asked), now, arm_.setpoint_js().valid);
-}
-
-template <int N>
-void CrtkArm<N>::publishForce() {
-  const Eigen::Matrix3d tip = arm_.measured_cp().pose.linear();
-  const std::optional<SpatialVector> measured = pressed();
-  const SpatialVector force = measured.value_or(SpatialVector::Zero());
-  place(spatialCf_, force, arm_.reading_.stamp, measured.has_value());
-  place(bodyCf_, rotated(tip.transpose(), force), arm_.reading_.stamp, measured.has_value());
-  const Eigen::Matrix3d toReference = base_.transform.linear();
-  measuredCs_.position = measured_cp().pose;
-  measuredCs_.linear_velocity = measuredCv_.linear;
-  measuredCs_.angular_velocity = measuredCv_.angular;
-  measuredCs_.force = toReference * spatialCf_.force;
-  measuredCs_.torque = toReference * spatialCf_.torque;
-  measuredCs_.position_is_valid = measuredCs_.velocity_is_valid = measuredCv_.valid;
-  measuredCs_.force_is_valid = spatialCf_.valid;
-  measuredCs_.stamp = arm_.reading_.stamp;
-}
-
-// Without power the brakes bear what presses on the tip, and the motors measure nothing of it.
-template <int N>
-std::optional<SpatialVector> CrtkArm<N>::pressed() const {
-  const DriveReading<N>& reading = arm_.reading_;
-  const bool measured = reading.measures_effort && reading.power == DrivePower::On;
-  if (!measured || !arm_.measured_js().valid) return std::nullopt;
-  const ArmModel<N>& model = arm_.model_;
-  Joints effort = reading.effort;
-  if (model.weight) effort -= model.weight->gravity(model.weight->at(reading.position));
-  return tipForce<N>(model.chain.jacobian(reading.position), effort);
-}
-
-template <int N>
-void CrtkArm<N>::publishGoal(suture::Time now) {
+  tip_.measured(arm_.reading_, arm_.measured_cp(), base_.transform);
+  tip_.asked(arm_.setpoint_, arm_.setpointRate_.rate(), base_.transform, now,
+             arm_.setpoint_js().valid);
   const Joints goal = arm_.move_ ? arm_.move_->to() : arm_.setpoint_;
   std::copy_n(goal.data(), N, goalJs_.position.begin());
   goalJs_.stamp = now;

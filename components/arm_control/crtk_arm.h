@@ -15,6 +15,7 @@
 #include "arm_control/motion/motion_stream.h"
 #include "arm_control/motion/stream_goals.h"
 #include "arm_control/period_statistics.h"
+#include "arm_control/tip_reads.h"
 
 namespace robots {
 
@@ -51,13 +52,13 @@ class CrtkArm final : public Arm {
   PoseStamped goal_cp() const override { return inReference(goalCp_); }
   PoseStamped local_measured_cp() const override { return arm_.measured_cp(); }
   PoseStamped local_setpoint_cp() const override { return arm_.setpoint_cp(); }
-  const Twist& measured_cv() const override { return measuredCv_; }
-  const Twist& setpoint_cv() const override { return setpointCv_; }
-  const Wrench& body_measured_cf() const override { return bodyCf_; }
-  const Wrench& spatial_measured_cf() const override { return spatialCf_; }
-  const CartesianState& measured_cs() const override { return measuredCs_; }
-  const Jacobian& body_jacobian() const override { return bodyJacobian_; }
-  const Jacobian& spatial_jacobian() const override { return spatialJacobian_; }
+  const Twist& measured_cv() const override { return tip_.measured_cv(); }
+  const Twist& setpoint_cv() const override { return tip_.setpoint_cv(); }
+  const Wrench& body_measured_cf() const override { return tip_.body_measured_cf(); }
+  const Wrench& spatial_measured_cf() const override { return tip_.spatial_measured_cf(); }
+  const CartesianState& measured_cs() const override { return tip_.measured_cs(); }
+  const Jacobian& body_jacobian() const override { return tip_.body_jacobian(); }
+  const Jacobian& spatial_jacobian() const override { return tip_.spatial_jacobian(); }
   const TransformStamped& base_frame() const override { return base_; }
   void set_base_frame(const TransformStamped& base) override;
 
@@ -129,7 +130,6 @@ class CrtkArm final : public Arm {
 
  private:
   using Stream = MotionStream<N>;
-  using SpatialVector = kinematics::SpatialVector;
 
   std::string_view textOf(ArmWarning reason);
   static bool isError(ArmWarning reason) {
@@ -157,16 +157,10 @@ class CrtkArm final : public Arm {
              const char* activity, const Eigen::Matrix3d& axes);
   /// Lets the drives press with a wrench, or a twist move the set-point of those that cannot.
   void press(typename Stream::Kind wrench, typename Stream::Kind twist, const WrenchGoal& goal);
-  void publishMotion(suture::Time now);
-  void publishForce();
-  /// Returns the wrench that the arm presses with at its tip, along the base's axes, if the drives
-  /// measure it.
-  std::optional<SpatialVector> pressed() const;
-  void publishGoal(suture::Time now);
 
   ArmController<N>& arm_;
   PeriodStatistics periods_;
-  suture::FrameId referenceFrame_ = 0, tipFrame_ = 0;
+  suture::FrameId referenceFrame_ = 0;
   TransformStamped base_;
   double ratioV_ = 1, ratioA_ = 1;
   bool gravityCompensation_ = true;
@@ -179,10 +173,7 @@ class CrtkArm final : public Arm {
   JointConfiguration configuration_;
   JointState goalJs_;
   PoseStamped goalCp_;
-  Twist measuredCv_, setpointCv_;
-  Wrench bodyCf_, spatialCf_;
-  CartesianState measuredCs_;
-  Jacobian bodyJacobian_, spatialJacobian_;
+  TipReads<N> tip_;
 
   bool ratiosChanged_ = true, gravityChanged_ = true;
   std::string_view error_;  // of static storage

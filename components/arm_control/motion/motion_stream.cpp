@@ -11,7 +11,7 @@ using kinematics::rotated;
 using kinematics::SpatialVector;
 
 template <int N>
-void MotionStream<N>::beFree(std::string_view activity) {
+void MotionStream<N>::release(std::string_view activity) {
   begin(Kind::Free, activity);
   order_ = {.released = Mask::Constant(true)};
 }

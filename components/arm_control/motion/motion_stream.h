@@ -35,7 +35,7 @@ class MotionStream {
 
   /// Releases the joints and lets the set-point follow them. Here and below, `activity` is a text
   /// of static storage by which the arm says what it does meanwhile.
-  void beFree(std::string_view activity);
+  void release(std::string_view activity);
   /// Bounds a rate, which is in rad/s or m/s.
   struct JointBounds {
     typename RateRamp<N>::Limits change = {};
