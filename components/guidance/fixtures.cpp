@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace robots {
@@ -13,24 +14,49 @@ using Eigen::Vector3d;
 
 // The last tenths of a millimetre need a minimum speed, or the knot would never arrive.
 constexpr double kCreep = 0.0005;  // m/s
+// A strand this near to the line of approach, in m, has no direction away from it.
+constexpr double kStraight = 1e-6;
+
+/// Says how far one side of the strand, `strand` from the knot to a tip, leans from the line of
+/// approach.
+struct Steepness {
+  Steepness(const Vector3d& strand, const Vector3d& approach) {
+    const Vector3d aside = strand - strand.dot(approach) * approach;
+    const double distance = std::max(aside.norm(), kStraight);
+    const double length = std::max(strand.norm(), kStraight);
+    logarithm = std::log(distance / length);
+    gradient = aside / (distance * distance) - strand / (length * length);
+  }
+
+  double logarithm;   // of the sine of the angle
+  Vector3d gradient;  // of the logarithm, 1/m
+};
 
 }  // namespace
 
-/// Holds the rows as they are added. Each says that its product with the steps is at least its
+/// Holds the rows as they are added, always in the same order, because the solver begins with those
+/// that were active in the last step. Each says that its product with the steps is at least its
 /// bound. No bound is above zero, so that standing still is permitted, whatever has happened.
 struct KnotFixtures::Constraints {
   Program::Rows rows = Program::Rows::Zero();
   Program::Bounds bounds = Program::Bounds::Zero();
   int count = 0;
 
+  /// The row gets the length one, which the solver needs. A row without a length or a bound forbids
+  /// nothing.
   void require(const Vector3d& left, const Vector3d& right, double atLeast) {
-    rows.row(count) << left.transpose(), right.transpose();
-    bounds[count++] = std::min(atLeast, 0.0);
+    const int row = count++;
+    const double length = std::sqrt(left.squaredNorm() + right.squaredNorm());
+    if (length < kLeastLength || atLeast == -std::numeric_limits<double>::infinity()) return;
+    rows.row(row) << left.transpose() / length, right.transpose() / length;
+    bounds[row] = std::min(atLeast / length, 0.0);
   }
   /// Does the same for the mean of both steps.
   void requireOfMean(const Vector3d& direction, double atLeast) {
     require(direction / 2, direction / 2, atLeast);
   }
+
+  static constexpr double kLeastLength = 1e-9;
 };
 
 KnotFixtures::KnotFixtures(const FixtureModel& model) : model_(model) {
@@ -52,9 +78,7 @@ Vector3d KnotFixtures::outward(int plane) const {
   return std::cos(angle) * across_[0] + std::sin(angle) * across_[1];
 }
 
-TipPair KnotFixtures::constrain(const TipPair& tips, const Vector3d& knot, const TipPair& desired,
-                                double seconds) {
-  Constraints constraints;
+void KnotFixtures::forbidHaste(double seconds, Constraints& constraints) const {
   const Vector3d none = Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) {
@@ -63,13 +87,20 @@ TipPair KnotFixtures::constrain(const TipPair& tips, const Vector3d& knot, const
       constraints.require(none, direction, -model_.speed * seconds);
     }
   }
+}
+
+void KnotFixtures::forbidContact(const TipPair& tips, Constraints& constraints) const {
+  const Vector3d none = Vector3d::Zero();
   constraints.require(Vector3d::UnitZ(), none, model_.tissue - tips.left.z());
   constraints.require(none, Vector3d::UnitZ(), model_.tissue - tips.right.z());
   const Vector3d between = tips.left - tips.right;
   const Vector3d apart = between.normalized();
   constraints.require(apart, -apart, model_.separation - between.norm());
+}
 
-  // Use the cone where the knot will be, because it is narrower there.
+// The cone is used where the knot will be, because it is narrower there.
+void KnotFixtures::forbidLeavingCorridor(const Vector3d& knot, double seconds,
+                                         Constraints& constraints) const {
   const double ahead = std::max(distanceToTarget(knot), 0.0);
   for (int plane = 0; plane < kPlanes; ++plane) {
     const Vector3d out = outward(plane);
@@ -78,6 +109,35 @@ TipPair KnotFixtures::constrain(const TipPair& tips, const Vector3d& knot, const
   }
   const double nearest = std::min(ahead, (model_.slowing * ahead + kCreep) * seconds);
   constraints.requireOfMean(-model_.approach, -nearest);
+}
+
+// The logarithm of the tensions' ratio changes with the tips' steps by its gradient. The knot goes
+// with their mean, so each tip goes from it by half of the difference.
+void KnotFixtures::forbidSliding(const TipPair& tips, const Vector3d& knot,
+                                 Constraints& constraints) const {
+  const Steepness left(tips.left - knot, model_.approach);
+  const Steepness right(tips.right - knot, model_.approach);
+  const double ratio = right.logarithm - left.logarithm, most = std::log(model_.holding);
+  const Vector3d change = (left.gradient + right.gradient) / 2;
+  constraints.require(-change, change, -most - ratio);
+  constraints.require(change, -change, ratio - most);
+}
+
+TipPair KnotFixtures::constrain(const TipPair& tips, const Vector3d& knot, const TipPair& desired,
+                                double seconds, const RoomPair& rooms) {
+  Constraints constraints;
+  forbidHaste(seconds, constraints);
+  forbidContact(tips, constraints);
+  forbidLeavingCorridor(knot, seconds, constraints);
+  forbidSliding(tips, knot, constraints);
+  const Vector3d none = Vector3d::Zero();
+  for (int joint = 0; joint < kTipJoints; ++joint) {
+    const Vector3d left = rooms.left.motion.row(joint), right = rooms.right.motion.row(joint);
+    constraints.require(left, none, rooms.left.least[joint]);
+    constraints.require(-left, none, -rooms.left.most[joint]);
+    constraints.require(none, right, rooms.right.least[joint]);
+    constraints.require(none, -right, -rooms.right.most[joint]);
+  }
 
   Program::Vector steps;
   steps << desired.left, desired.right;

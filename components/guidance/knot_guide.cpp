@@ -2,7 +2,10 @@
 
 #include <suture/base/errors.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -15,7 +18,12 @@ namespace robots {
 namespace {
 
 using Eigen::Isometry3d;
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+// The capstan's friction is not known better than this share of it, nor are the strand's ends
+// straight.
+constexpr double kHolding = 0.8;
 
 constexpr const char* kGoalsRefused =
     "a slave refuses its goals; look at its warnings, insert its tool, then enable";
@@ -31,10 +39,24 @@ FixtureModel model(const GuideParameters& parameters) {
           .radius = parameters.radius,
           .slope = parameters.slope,
           .speed = parameters.speed,
-          .separation = parameters.separation};
+          .separation = parameters.separation,
+          .holding = std::exp(kHolding * parameters.friction * parameters.wrap)};
+}
+
+/// Returns the axis that leads from one orientation to another, times the angle in rad.
+Vector3d turnBetween(const Matrix3d& from, const Matrix3d& to) {
+  const Eigen::AngleAxisd turn(to * from.transpose());
+  return turn.angle() * turn.axis();
 }
 
 }  // namespace
+
+KnotGuide::Side::Side(KnotGuide& guide, const char* masterName, const char* slaveName)
+    : master(guide, masterName), slave(guide, slaveName) {
+  slave.configuration_js.reserve(configuration);
+  slave.setpoint_js.reserve(setpointJs);
+  slave.spatial_jacobian.reserve(jacobian);
+}
 
 KnotGuide::KnotGuide(const GuideParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
@@ -121,9 +143,23 @@ bool KnotGuide::read(Side& side) {
   const PoseStamped* const master = freshMeasurement(masterSample, parameters_.max_age);
   const PoseStamped* const slave = freshPose(slaveSample, parameters_.max_age);
   if (master == nullptr || slave == nullptr || !side.ready()) return false;
+  side.readJoints(parameters_.max_age);
   side.masterPose = *master;
   side.slavePose = *slave;
   return true;
+}
+
+/// An arm that does not say where its joints are minds their limits alone.
+void KnotGuide::Side::readJoints(suture::Duration maxAge) {
+  const auto isFresh = [&](const suture::Sample<void>& sample) {
+    return sample && sample.age() <= maxAge;
+  };
+  const bool setpoint = isFresh(slave.setpoint_js(setpointJs)) && setpointJs.valid;
+  const bool moves = isFresh(slave.spatial_jacobian(jacobian)) && jacobian.valid;
+  knowsJoints = setpoint && setpointJs.position.size() == std::size_t{kTipJoints} && moves &&
+                jacobian.coefficients.size() == std::size_t{6 * kTipJoints};
+  if (bounds || !slave.configuration_js(configuration) || !configuration.valid) return;
+  bounds = jointBounds(configuration);
 }
 
 void KnotGuide::lookForKnot() {
@@ -174,6 +210,7 @@ bool KnotGuide::begin() {
 
 void KnotGuide::Side::anchor(const Isometry3d& slaveSetpoint, double scale) {
   law.emplace(masterPose.pose, slaveSetpoint, FollowSettings{.scale = scale, .view = view});
+  turned = slaveSetpoint.linear();
 }
 
 /// With another view it goes on from where the last cycle led it, because a camera that moves must
@@ -187,17 +224,31 @@ void KnotGuide::Side::look(const Eigen::Matrix3d& newView, double scale) {
 bool KnotGuide::move() {
   const Isometry3d left = left_.law->follow(left_.masterPose.pose);
   const Isometry3d right = right_.law->follow(right_.masterPose.pose);
+  const double seconds = inSeconds(parameters_.period);
   const TipPair step = permitted({frames_.left_base * left.translation() - tips_.left,
-                                  frames_.right_base * right.translation() - tips_.right});
+                                  frames_.right_base * right.translation() - tips_.right},
+                                 {left_.room(left, frames_.left_base, tips_.left, seconds),
+                                  right_.room(right, frames_.right_base, tips_.right, seconds)});
   tips_.left += step.left;
   tips_.right += step.right;
   const bool leftTook = send(left_, left, frames_.left_base, tips_.left);
   return send(right_, right, frames_.right_base, tips_.right) && leftTook;
 }
 
-TipPair KnotGuide::permitted(const TipPair& desired) {
+JointRoom KnotGuide::Side::room(const Isometry3d& goal, const Isometry3d& base, const Vector3d& tip,
+                                double seconds) const {
+  if (!bounds || !knowsJoints) return {};
+  const TipAhead ahead{.moved = base.inverse() * tip - slavePose.pose.translation(),
+                       .turned = turnBetween(slavePose.pose.linear(), goal.linear()),
+                       .turns = turnBetween(turned, goal.linear())};
+  return jointRoom(*bounds, setpointJs, jacobian, ahead, base.linear(), seconds);
+}
+
+TipPair KnotGuide::permitted(const TipPair& desired, const RoomPair& rooms) {
   const double seconds = inSeconds(parameters_.period);
-  if (parameters_.fixtures) return fixtures_.constrain(tips_, progress_.knot, desired, seconds);
+  if (parameters_.fixtures) {
+    return fixtures_.constrain(tips_, progress_.knot, desired, seconds, rooms);
+  }
   const double most = parameters_.speed * seconds;
   return {desired.left.cwiseMin(most).cwiseMax(-most),
           desired.right.cwiseMin(most).cwiseMax(-most)};
@@ -209,12 +260,15 @@ bool KnotGuide::send(Side& side, const Isometry3d& goal, const Isometry3d& base,
                      const Vector3d& tip) {
   PoseStamped sent{goal, side.masterPose.stamp, true};
   sent.pose.translation() = base.inverse() * tip;
+  side.turned = goal.linear();
   return side.slave.servo_cp(sent).has_value();
 }
 
 void KnotGuide::leave(GuidanceState state) {
-  left_.law.reset();
-  right_.law.reset();
+  for (Side* side : {&left_, &right_}) {
+    side->law.reset();
+    side->bounds.reset();  // the slave may be another one when it goes on
+  }
   enter(state);
 }
 

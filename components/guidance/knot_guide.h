@@ -16,6 +16,7 @@
 #include "arm/arm_watch.h"
 #include "guidance/fixtures.h"
 #include "guidance/guidance.suture.h"
+#include "guidance/joint_room.h"
 #include "guidance/knot_estimate.h"
 #include "pedals/foot_pedals.suture.h"
 #include "pedals/operator_presence.suture.h"
@@ -56,6 +57,10 @@ struct SUTURE_TYPE() GuideParameters {
   SUTURE_FIELD(unit("m/s"), range(0.001, 1)) double speed = 0.1;
   /// Is how near the tips may come to each other.
   SUTURE_FIELD(unit("m"), range(0, 0.1)) double separation = 0.01;
+  /// Is the coefficient of friction of strand on strand, by which the knot holds.
+  SUTURE_FIELD(range(0, 1)) double friction = 0.15;
+  /// Is how far the strand winds about itself in the knot.
+  SUTURE_FIELD(unit("rad"), range(0, 100)) double wrap = 9.42;
 };
 
 /// Lets each slave follow its master by the law of teleoperation (teleop/follow_law.h), in the
@@ -84,18 +89,27 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
  private:
   /// Is one master, the slave that it drives, and how it does so.
   struct Side {
-    Side(KnotGuide& guide, const char* masterName, const char* slaveName)
-        : master(guide, masterName), slave(guide, slaveName) {}
+    Side(KnotGuide& guide, const char* masterName, const char* slaveName);
 
     bool ready() const { return masterWatch.ready() && slaveWatch.ready(); }
     void anchor(const Eigen::Isometry3d& slaveSetpoint, double scale);
     void look(const Eigen::Matrix3d& newView, double scale);
+    void readJoints(suture::Duration maxAge);
+    /// Returns the room of a step from `tip` (in the scene) that also turns the tool as `goal` is.
+    JointRoom room(const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
+                   const Eigen::Vector3d& tip, double seconds) const;
 
     suture::Required<Arm> master, slave;
     ArmWatch masterWatch{master}, slaveWatch{slave};
     Eigen::Matrix3d view = Eigen::Matrix3d::Identity();
     std::optional<FollowLaw> law;
     PoseStamped masterPose, slavePose;  // of this cycle; the slave's is its set-point
+    Eigen::Matrix3d turned;             // how the tool has been sent to turn, in the base's axes
+    JointConfiguration configuration;   // these three keep their memory
+    JointState setpointJs;
+    Jacobian jacobian;
+    std::optional<JointBounds> bounds;
+    bool knowsJoints = false;  // in this cycle
   };
 
   bool readScene();
@@ -108,7 +122,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   bool move();
   bool send(Side& side, const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
             const Eigen::Vector3d& tip);
-  TipPair permitted(const TipPair& desired);
+  TipPair permitted(const TipPair& desired, const RoomPair& rooms);
   bool isRefused();
   /// Stops following: both slaves hold.
   void leave(GuidanceState state);

@@ -121,6 +121,26 @@ TEST_F(Guide, StaysNearASlaveAtALimit) {
   EXPECT_GT(goals(), 1000u) << "the other one would follow no more";
 }
 
+/// Its slave would slide along the limit and be told of as one that has gone astray.
+TEST_F(Guide, LeadsNoSlaveBeyondItsJoints) {
+  constexpr double kLimit = -0.035;
+  arms_[2].beAGantryAbove(kLimit);
+  arms_[2].stayAbove(kLimit);
+  pass(10ms);
+  forgetGoals();
+  moveMasters({0, 0, -0.1}, 1000);
+  EXPECT_NEAR(left().z(), kLimit, 1e-6);
+  for (const PoseStamped& goal : arms_[2].goals()) {
+    ASSERT_GT(goal.pose.translation().z(), kLimit - 1e-9);
+  }
+  EXPECT_GE(goals(), 2000u) << "it began anew";
+  const double rightBefore = right().z();
+  moveMasters({0, 0, 0.1}, 1000);
+  pass(5ms);
+  EXPECT_NEAR(right().z() - rightBefore, 0.04, 1e-3);
+  EXPECT_NEAR(left().z(), -0.03, 1e-3);
+}
+
 // No goal leads there while its tool is not in, so the surgeon must not believe that it is guided.
 TEST_F(Guide, ARefusingSlaveDisablesIt) {
   for (ScriptedArm* slave : {&arms_[2], &arms_[3]}) {

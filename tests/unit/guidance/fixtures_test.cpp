@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
+
+#include "strand/strand.h"
 
 namespace robots {
 namespace {
@@ -138,6 +142,63 @@ TEST_F(Fixtures, HoldForRandomWishes) {
     const double ahead = fixtures_.distanceToTarget(knot_);
     ASSERT_LE(fixtures_.lateralError(knot_), (model().radius + model().slope * ahead) * 1.1);
   }
+}
+
+TEST_F(Fixtures, NoJointGoesFartherThanItsRoom) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto any = [&] { return uniform(random); };
+  place(0.02, Vector3d::Zero());
+  const auto room = [&] {
+    JointRoom one;
+    one.motion = one.motion.unaryExpr([&](double) { return 10 * any(); });
+    one.least.setConstant(-2e-4);
+    one.most.setConstant(3e-4);
+    one.most[1] = -1e-4;  // it is beyond its limit, and must not be driven back
+    return one;
+  };
+  for (int i = 0; i < 1000; ++i) {
+    const RoomPair rooms{room(), room()};
+    const Vector3d left = 1e-4 * Vector3d(any(), any(), any());
+    const TipPair step = fixtures_.constrain(tips_, knot_, {left, -left}, kCycle, rooms);
+    for (const auto& [one, by] : {std::pair{rooms.left, step.left}, {rooms.right, step.right}}) {
+      const TipJoints joints = one.motion * by;
+      ASSERT_TRUE((joints.array() >= one.least.array() - 1e-9).all()) << joints.transpose();
+      ASSERT_TRUE((joints.array() <= one.most.cwiseMax(0).array() + 1e-9).all())
+          << joints.transpose();
+    }
+    ASSERT_GT(step.left.norm(), 0);
+  }
+}
+
+/// Returns how much of the strand has run through the knot after the left tip was drawn up above
+/// it, as far as the fixtures permit, while the right one stayed.
+double slidAfterPullingUp(double holding) {
+  FixtureModel free{.target = {0, 0, -1}, .radius = 1, .slope = 1, .holding = holding};
+  KnotFixtures fixtures(free);
+  TipPair tips{{-0.035, 0, 0}, {0.035, 0, 0}};
+  Strand strand(StrandModel{.length = 0.075}, tips.left, tips.right);
+  const auto hang = [&] {
+    strand.hold(Strand::Place::Left, tips.left);
+    strand.hold(Strand::Place::Right, tips.right);
+    strand.advance(kCycle);
+  };
+  for (int i = 0; i < 2000; ++i) hang();
+  const double before = strand.leftLength();
+  for (int i = 0; i < 4000; ++i) {
+    const TipPair step =
+        fixtures.constrain(tips, strand.knot(), {{1e-5, 0, 1e-5}, Vector3d::Zero()}, kCycle);
+    tips.left += step.left;
+    tips.right += step.right;
+    hang();
+  }
+  return std::abs(strand.leftLength() - before);
+}
+
+TEST(SlidingCone, KeepsTheStrandFromRunningThroughTheKnot) {
+  const StrandModel model;
+  EXPECT_GT(slidAfterPullingUp(std::numeric_limits<double>::infinity()), 1e-3);
+  EXPECT_LT(slidAfterPullingUp(std::exp(0.8 * model.friction * model.wrap)), 1e-5);
 }
 
 /// A hand whose place is unknown moves nothing.

@@ -60,6 +60,20 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     lowest_ = z;
   }
+  /// Says from now on that it is a gantry of three slides along its axes and three turns about
+  /// them, whose third slide stays above, m.
+  void beAGantryAbove(double z) {
+    const std::lock_guard lock(mutex_);
+    configuration_.name = {"x", "y", "z", "about x", "about y", "about z"};
+    configuration_.position_min.assign(6, -kFar);
+    configuration_.position_max.assign(6, kFar);
+    configuration_.position_min[2] = z;
+    configuration_.valid = true;
+    jacobian_.joints = 6;
+    jacobian_.coefficients.assign(36, 0);
+    for (std::size_t i = 0; i < 6; ++i) jacobian_.coefficients[7 * i] = 1;
+    jacobian_.valid = true;
+  }
   /// Does not move by itself: it ignores move_cp.
   void refuseMoves(bool refuse) {
     const std::lock_guard lock(mutex_);
@@ -114,8 +128,19 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   PoseStamped measured_cp() const override { return {pose(), stamp_, true}; }
   PoseStamped setpoint_cp() const override { return {pose(), stamp_, true}; }
   const OperatingState& operating_state() const override { return state_; }
+  const JointConfiguration& configuration_js() const override { return configuration_; }
+  const Jacobian& spatial_jacobian() const override { return jacobian_; }
+  /// It does not say how it is turned.
+  const JointState& setpoint_js() const override {
+    const Eigen::Vector3d place = pose().translation();
+    setpointJs_.valid = jacobian_.valid;
+    setpointJs_.position.assign({place.x(), place.y(), place.z(), 0, 0, 0});
+    return setpointJs_;
+  }
 
  private:
+  static constexpr double kFar = 10;
+
   void onStart() override {
     state_.is_homed = true;
     tellState(ArmState::Enabled);
@@ -158,6 +183,9 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   bool silent_ = false, stuck_ = false, refusesMoves_ = false, saysDisabled_ = false;
   suture::Time stamp_;
   OperatingState state_;
+  JointConfiguration configuration_;
+  Jacobian jacobian_;
+  mutable JointState setpointJs_;
   suture::Provided<Arm> port_{*this, "Arm", *this};
 };
 

@@ -1,0 +1,58 @@
+#include "guidance/joint_room.h"
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace robots {
+namespace {
+
+using JacobianMatrix = Eigen::Matrix<double, 6, kTipJoints>;
+
+// Damps the inverse beside a singularity, where joints would seem to move without end. Elsewhere a
+// PSM's Jacobian is large enough that this changes less than a thousandth.
+constexpr double kDamping = 1e-3;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Returns the entries of a list that may be left out.
+TipJoints listed(const std::vector<double>& list, double otherwise) {
+  TipJoints joints = TipJoints::Constant(otherwise);
+  if (list.size() == std::size_t{kTipJoints}) joints = TipJoints::Map(list.data());
+  return joints;
+}
+
+/// Returns how the joints move as the tip moves (three columns) and turns (three columns).
+Eigen::Matrix<double, kTipJoints, 6> inverseOf(const JacobianMatrix& jacobian) {
+  Eigen::Matrix<double, 6, 6> square = jacobian * jacobian.transpose();
+  square.diagonal().array() += kDamping * kDamping;
+  return square.llt().solve(jacobian).transpose();
+}
+
+}  // namespace
+
+std::optional<JointBounds> jointBounds(const JointConfiguration& configuration) {
+  if (configuration.name.size() != std::size_t{kTipJoints}) return std::nullopt;
+  const TipJoints slowest = listed(configuration.velocity_max, kInfinity)
+                                .cwiseMin(-listed(configuration.velocity_min, -kInfinity));
+  return JointBounds{listed(configuration.position_min, -kInfinity),
+                     listed(configuration.position_max, kInfinity), slowest};
+}
+
+JointRoom jointRoom(const JointBounds& bounds, const JointState& setpoint, const Jacobian& jacobian,
+                    const TipAhead& ahead, const Eigen::Matrix3d& base, double seconds) {
+  const auto inverse = inverseOf(JacobianMatrix::Map(jacobian.coefficients.data()));
+  const auto moving = inverse.leftCols<3>(), turning = inverse.rightCols<3>();
+  const TipJoints here =
+      TipJoints::Map(setpoint.position.data()) + moving * ahead.moved + turning * ahead.turned;
+  const TipJoints turn = turning * ahead.turns, farthest = seconds * bounds.rate;
+  JointRoom room;
+  room.motion = moving * base.transpose();
+  room.least = (bounds.lower - here).cwiseMax(-farthest - turn);
+  room.most = (bounds.upper - here).cwiseMin(farthest - turn);
+  return room;
+}
+
+}  // namespace robots

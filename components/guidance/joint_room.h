@@ -1,0 +1,49 @@
+#pragma once
+// The joints of an arm leave its tip so much room for the next step.
+
+#include <Eigen/Core>
+#include <limits>
+#include <optional>
+
+#include "robot_types/joint_commands.h"
+#include "robot_types/joints.h"
+
+namespace robots {
+
+/// Is the number of joints of the arms whose joints are looked at: nobody but an arm itself knows
+/// how it shares a step among more.
+constexpr int kTipJoints = 6;
+using TipJoints = Eigen::Matrix<double, kTipJoints, 1>;
+
+/// Says where joints may be, in rad (or m), and how fast, in rad/s (or m/s).
+struct JointBounds {
+  TipJoints lower, upper, rate;
+};
+
+/// Returns what the arm says of its joints; a bound that it does not say is infinite. Returns none
+/// for an arm with another number of joints.
+std::optional<JointBounds> jointBounds(const JointConfiguration& configuration);
+
+/// Says what has been asked of an arm beyond its set-point, along the axes of its base.
+struct TipAhead {
+  Eigen::Vector3d moved;   ///< m: of the tip
+  Eigen::Vector3d turned;  ///< rad: of the tool, about this axis, with the next step
+  Eigen::Vector3d turns;   ///< rad: of that, what is the next step's
+};
+
+/// Says how the next step of a tip moves the joints of its arm, and how far they may go in it. One
+/// that is made without bounds forbids nothing.
+struct JointRoom {
+  /// Is how far each joint goes for each m of the tip along the axes of the scene.
+  Eigen::Matrix<double, kTipJoints, 3> motion = Eigen::Matrix<double, kTipJoints, 3>::Zero();
+  TipJoints least = TipJoints::Constant(-std::numeric_limits<double>::infinity());
+  TipJoints most = TipJoints::Constant(std::numeric_limits<double>::infinity());
+};
+
+/// Returns the room of a step of `seconds` that begins at `setpoint` and `ahead`. `jacobian` is the
+/// spatial one, and `base` turns the axes of the base to those of the scene. Never allocates. Both
+/// must be of kTipJoints joints, as `bounds` are.
+JointRoom jointRoom(const JointBounds& bounds, const JointState& setpoint, const Jacobian& jacobian,
+                    const TipAhead& ahead, const Eigen::Matrix3d& base, double seconds);
+
+}  // namespace robots
