@@ -10,7 +10,7 @@ namespace {
 
 // Raise this whenever the layout in memory of a channel or a state table changes, or that of slots
 // in frames.
-constexpr int kForm = 5;
+constexpr int kForm = 6;
 
 /// Removes documentation, which has no bytes.
 void removeTexts(nlohmann::json& json) {

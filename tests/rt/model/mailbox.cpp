@@ -15,7 +15,7 @@ constexpr rt::CommandLimits kCommands[] = {{8, 1, true}, {8, 1, true}, {8, 1, fa
 struct Connection {
   rt::Mailbox mailbox{kCommands};
   std::uint64_t sent = 0, queued = 0;
-  std::uint64_t run = 0, queuedRun = 0;
+  std::uint64_t run = 0, runs = 0, queuedRun = 0;
 
   void send(std::uint16_t command) {
     const auto memory = mailbox.claim(command, suture::Time{}, 0);
@@ -31,6 +31,7 @@ struct Connection {
       const std::uint64_t serial = read(record->arguments());
       require(serial > run, "a command runs after one that was sent later");
       run = serial;
+      ++runs;
       const bool wasQueued = record->command == kHold;
       mailbox.pop();
       if (!wasQueued) continue;
@@ -44,7 +45,10 @@ struct Connection {
     require(run == sent, "the last command is lost");
     require(queuedRun == queued, "a queued command is lost");
     require(mailbox.waiting(kHold) == 0, "a credit is lost");
-    require(mailbox.counters.superseded == 0, "a command was dropped though none had overtaken it");
+    const auto& counters = mailbox.counters;
+    require(counters.superseded == 0, "a command was dropped though none had overtaken it");
+    require(runs + counters.replaced + counters.overtaken == sent,
+            "a command is not accounted for");
   }
 };
 

@@ -43,15 +43,18 @@ suture_planted(latest_unordered PART queue/latest_cell SCENARIO LatestCell FINDS
   TEXT "shared_->exchange(writing_ | kFresh, std::memory_order_acq_rel)"
   REPLACEMENT "shared_->exchange(writing_ | kFresh, std::memory_order_acquire)")
 suture_planted(mailbox_cut_after_cells PART queue/mailbox SCENARIO MailboxOrder FINDS "a command "
-  TEXT "  cut_ = published_->load(std::memory_order_acquire);
-  left_ = mostWaiting_;
-  for (const auto& cell : cells_) cell->held = cell->values.take(copier()) || cell->held;"
-  REPLACEMENT "  for (const auto& cell : cells_) cell->held = cell->values.take(copier()) || cell->held;
+  TEXT "    if (std::exchange(cell->held, true)) increment(counters.overtaken);
+  }"
+  REPLACEMENT "    if (std::exchange(cell->held, true)) increment(counters.overtaken);
+  }
   cut_ = published_->load(std::memory_order_acquire);")
 suture_planted(mailbox_no_cut PART queue/mailbox SCENARIO MailboxOrder FINDS "a command "
   TEXT "next_->sequence > cut_" REPLACEMENT "false")
 suture_planted(mailbox_forgotten_cell PART queue/mailbox SCENARIO MailboxOrder FINDS "the last command is lost"
-  TEXT "cell->values.take(copier()) || cell->held" REPLACEMENT "cell->values.take(copier())")
+  TEXT "    if (!cell->values.take(copier())) continue;"
+  REPLACEMENT "    if (!cell->values.take(copier())) { cell->held = false; continue; }")
+suture_planted(mailbox_not_counted PART queue/mailbox SCENARIO MailboxOrder FINDS "a command is not accounted for"
+  TEXT "if (std::exchange(cell->held, true)) increment(counters.overtaken);" REPLACEMENT "cell->held = true;")
 suture_planted(mailbox_one_too_many PART queue/mailbox SCENARIO MailboxCredits FINDS "more wait than the depth allows"
   TEXT "memory = waiting < limits.depth" REPLACEMENT "memory = waiting <= limits.depth")
 suture_planted(mailbox_looks_for_room_once PART queue/mailbox SCENARIO MailboxRoom FINDS "it waits, there is room"

@@ -29,7 +29,7 @@ TEST(Stress, Mailbox) {
   const Span span;
   std::atomic<bool> ended{false};
   std::array<std::uint64_t, 4> lastSent{}, lastRun{};
-  std::uint64_t queuedSent = 0, queuedRun = 0;
+  std::uint64_t queuedSent = 0, queuedRun = 0, runs = 0;
   Faults faults;
   const auto produce = [&] {
     for (std::uint64_t serial = 1; !span.over(serial - 1);) {
@@ -55,6 +55,7 @@ TEST(Stress, Mailbox) {
         lastRun[command] = faults.take(serialOf(at(record->arguments())));
         if (faults.hopeless()) return;
         mailbox.pop();
+        ++runs;
         if (kCommands[command].latest) continue;
         ++queuedRun;
         mailbox.returnCredit(command);
@@ -67,6 +68,7 @@ TEST(Stress, Mailbox) {
   EXPECT_EQ(queuedRun, queuedSent);
   EXPECT_EQ(lastRun, lastSent);
   EXPECT_EQ(mailbox.counters.superseded, 0u);
+  EXPECT_EQ(runs + mailbox.counters.replaced + mailbox.counters.overtaken, mailbox.counters.sent);
 }
 
 // A queued event and a newest-wins one come from each of several threads, as a device's may. Of two

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <utility>
 
 namespace suture::rt {
 namespace {
@@ -136,7 +137,11 @@ void Mailbox::fixCut() {
   // newer.
   cut_ = published_->load(std::memory_order_acquire);
   left_ = mostWaiting_;
-  for (const auto& cell : cells_) cell->held = cell->values.take(copier()) || cell->held;
+  for (const auto& cell : cells_) {
+    if (!cell->values.take(copier())) continue;
+    // What the last drain had to leave, because it was newer than that drain's cut, makes way.
+    if (std::exchange(cell->held, true)) increment(counters.overtaken);
+  }
 }
 
 // Returns the command that was sent first among the front of the ring and the cells.

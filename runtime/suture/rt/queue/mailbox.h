@@ -45,6 +45,7 @@ struct MailboxCounters {
   std::atomic<std::uint64_t> sent{0}, full{0}, tooLarge{0}, invalid{0}, replaced{0};  // producer
   std::atomic<std::uint64_t> executed{0}, late{0}, superseded{0}, failed{0};          // consumer
   std::atomic<std::uint64_t> refused{0}, cancelled{0};  // consumer: has not begun them
+  std::atomic<std::uint64_t> overtaken{0};  // consumer: replaced when it had been taken already
 };
 
 /// One producer thread, one consumer thread. Never locks, and never allocates after construction.

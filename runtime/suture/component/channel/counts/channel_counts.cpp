@@ -10,6 +10,7 @@ Tally ofProvider(const rt::MailboxCounters& commands, const rt::EventCounters& e
           .late = rt::count(commands.late),
           .refused = rt::count(commands.refused),
           .failed = rt::count(commands.failed),
+          .replaced = rt::count(commands.overtaken),
           .superseded = rt::count(commands.superseded),
           .cancelled = rt::count(commands.cancelled),
           .eventsDropped = rt::count(events.dropped)};
@@ -20,7 +21,7 @@ Tally ofProvider(const rt::MailboxCounters& commands, const rt::EventCounters& e
 Tally ChannelCounts::own(ConnectionEnd end) const {
   Tally tally;
   if (!foreign || end == ConnectionEnd::Provider) tally = ofProvider(*commands, *events);
-  if (!foreign || end == ConnectionEnd::Client) tally.replaced = rt::count(commands->replaced);
+  if (!foreign || end == ConnectionEnd::Client) tally.replaced += rt::count(commands->replaced);
   tally.refused += rt::count(turnedAway);
   return tally;
 }
