@@ -14,6 +14,9 @@ namespace {
 // their order.
 constexpr std::array<const char*, 5> kActivities{"", "", "holding", "paused", ""};
 
+/// Is so long that the drives have dropped the arm's last goal meanwhile.
+bool isPause(suture::Time from, suture::Time to) { return to - from > StreamWatch::kSilence; }
+
 bool mayHavePower(DrivePower power) { return power == DrivePower::Off || power == DrivePower::On; }
 
 template <int N>
@@ -179,9 +182,12 @@ JointSolution ArmController<N>::inverse_kinematics(const PoseStamped& goal) cons
 
 template <int N>
 void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N>>& drives) {
+  const suture::Time measured = reading_.stamp;
   take(drives);
-  const bool paused = now - std::exchange(lastStep_, now) > StreamWatch::kSilence;
-  if (paused && state_.state == ArmState::Enabled) goOnAfterPause();
+  // In a pause of either the drives have dropped the arm's last goal.
+  const bool unheard = measured != suture::Time{} && isPause(measured, reading_.stamp);
+  const bool paused = isPause(std::exchange(lastStep_, now), now) || unheard;
+  if (state_.state == ArmState::Enabled) goOnFrom(paused);
   if (const auto joint = trailing()) {
     fail({ArmWarning::FollowingError, *joint}, "following error");
   }
@@ -194,18 +200,27 @@ void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N
   }
   setpointRate_.update(now, setpoint_);
   publish(now);
-  begun_.reset();
+  begun_ = false;
 }
 
-/// After such a pause the drives have dropped the arm's last goal, so the arm does not go on with
-/// it. A move that was asked for since then begins now, from where the joints are.
+/// After a pause the arm does not go on with what it did, but does what it was asked for since
+/// then. That begins where the joints are, and so does all that is asked for before the drives have
+/// power: else the set-point would run ahead, and the joints after it.
 template <int N>
-void ArmController<N>::goOnAfterPause() {
-  const std::optional<Joints> begun = begun_;
-  const bool homing = homing_;
-  if (begun) move_.reset();  // it has not ended
-  restIn(ArmState::Enabled, "holding");
-  if (begun) startMove(*begun, homing);
+void ArmController<N>::goOnFrom(bool paused) {
+  if (paused && !begun_) return restIn(ArmState::Enabled, "holding");
+  if (paused || reading_.power != DrivePower::On) beginAnew();
+}
+
+template <int N>
+void ArmController<N>::beginAnew() {
+  setpoint_ = reading_.position;
+  setpointRate_.rest(setpoint_);
+  watch_.resetOverloads();
+  if (move_) planMove(move_->to());
+  if (line_) {
+    line_ = JointLine<N>(setpoint_, line_->to(), model_.rate_limit, lastStep_, line_->wanted());
+  }
 }
 
 template <int N>
@@ -313,13 +328,18 @@ void ArmController<N>::enter(ArmState state, const char* activity) {
 template <int N>
 void ArmController<N>::startMove(const Joints& goal, bool homing) {
   endMove(false);
-  const typename JointMove<N>::Limits limits{model_.rate_limit, model_.acceleration_limit};
-  move_ = JointMove<N>({setpoint_, setpointRate_.rate()}, goal, limits, moveRatios_);
-  moveStart_ = lastStep_;
-  begun_ = goal;
+  planMove(goal);
+  begun_ = true;
   homing_ = homing;
   setpointStamp_ = {};
   enter(ArmState::Enabled, homing ? "homing" : "moving");
+}
+
+template <int N>
+void ArmController<N>::planMove(const Joints& goal) {
+  const typename JointMove<N>::Limits limits{model_.rate_limit, model_.acceleration_limit};
+  move_ = JointMove<N>({setpoint_, setpointRate_.rate()}, goal, limits, moveRatios_);
+  moveStart_ = lastStep_;
 }
 
 template <int N>
@@ -327,7 +347,7 @@ void ArmController<N>::endMove(bool reached) {
   servoing_.end();
   streamer_ = nullptr;
   line_.reset();
-  begun_.reset();
+  begun_ = false;
   sliding_ = false;
   if (!move_) return;
   move_.reset();
@@ -383,6 +403,7 @@ void ArmController<N>::interpolate(const ServoTarget& target, suture::Time goalS
   const bool slid = sliding_;
   followStream(setpoint_, goalStamp, activity);
   line_ = line;
+  begun_ = true;
   slide(target.limited, slid);
 }
 

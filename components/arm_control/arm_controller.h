@@ -149,8 +149,11 @@ class ArmController {
     return std::nullopt;
   }
   void enter(ArmState state, const char* activity);
-  void goOnAfterPause();
+  void goOnFrom(bool paused);
+  /// Begins what leads to a goal anew, from where the joints are.
+  void beginAnew();
   void startMove(const Joints& goal, bool homing);
+  void planMove(const Joints& goal);
   void endMove(bool reached);
   void follow(const Joints& setpoint, suture::Time goalStamp, const char* activity);
   /// Does the same for a set-point that a client streams.
@@ -188,7 +191,7 @@ class ArmController {
   suture::Time setpointStamp_;  // of the streamed goal it came from; unset otherwise
   std::optional<JointMove<N>> move_;
   suture::Time moveStart_;            // the cycle that its first set-point is of
-  std::optional<Joints> begun_;       // the goal of a move that has begun since the last step
+  bool begun_ = false;                // a move or a line has, since the last step
   std::optional<JointLine<N>> line_;  // to the last goal that is interpolated
   bool homing_ = false;
   StreamWatch servoing_;                               // any other activity of the arm ends it

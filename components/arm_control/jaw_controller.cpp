@@ -69,7 +69,7 @@ void JawController::startMove(double goal) {
   const JointMove<1>::Limits limits{Joint(model_.rate_limit), Joint(model_.acceleration_limit)};
   move_ = JointMove<1>({Joint(setpoint_), setpointRate_.rate()}, Joint(goal), limits);
   moveStart_ = lastStep_;
-  begun_ = goal;
+  begun_ = true;
 }
 
 void JawController::hold() {
@@ -90,7 +90,7 @@ void JawController::begin(Activity activity) {
 }
 
 void JawController::endMove(bool reached) {
-  begun_.reset();
+  begun_ = false;
   if (!move_) return;
   move_.reset();
   moveEnded_ = reached;
@@ -105,14 +105,19 @@ void JawController::clientGone(const suture::ConnectedClient& client) {
 void JawController::step(suture::Time now, const std::optional<DriveReading<6>>& drives) {
   const suture::Time last = std::exchange(lastStep_, now);
   const double dt = last == suture::Time{} ? 0 : secondsBetween(last, now);
-  // After such a pause the drives have dropped the last goal, so the jaw does not go on with it. A
-  // move that was asked for since then begins now, from where the jaw is.
-  const bool paused = dt > inSeconds(StreamWatch::kSilence);
+  // In a pause of the arm or its drives these have dropped the last goal, so the jaw does not go on
+  // with it. A move that was asked for since then begins where the jaw is, and so does one that is
+  // asked for before the drives have power.
+  const bool unheard = drives && measuredJs_.stamp != suture::Time{} &&
+                       drives->stamp - measuredJs_.stamp > StreamWatch::kSilence;
+  const bool paused = dt > inSeconds(StreamWatch::kSilence) || unheard;
+  const bool unpowered = drives && drives->power != DrivePower::On;
   const bool obeys = isEnabled();
   const bool rests = std::exchange(obeyed_, obeys) && !obeys;
   const bool stops = !obeys || paused || stream_.hasFallenSilent(now);
-  const std::optional<double> begun = obeys && paused ? begun_ : std::nullopt;
-  if (begun) move_.reset();  // it has not ended
+  std::optional<double> anew;
+  if (obeys && move_ && (paused ? begun_ : unpowered)) anew = move_->to().value();
+  if (anew) move_.reset();  // it has not ended
   if (activity_ != Activity::Holding && stops) hold();
   const bool wasHeard = std::exchange(measuredJs_.valid, drives.has_value());
   if (drives) {
@@ -122,16 +127,16 @@ void JawController::step(suture::Time now, const std::optional<DriveReading<6>>&
     measuredJs_.stamp = drives->stamp;
     // With power but not enabled it keeps its set-point, because otherwise noise and load would
     // make it drift.
-    if (!arm_.powered() || rests || paused || !wasHeard) {
+    if (!arm_.powered() || rests || paused || unpowered || !wasHeard) {
       setpoint_ = drives->tool.position;
       setpointRate_.rest(Joint(setpoint_));
     }
   }
-  if (begun) startMove(*begun);
+  if (anew) startMove(*anew);
   advance(now, dt);
   setpointRate_.update(now, Joint(setpoint_));
   publish(now);
-  begun_.reset();
+  begun_ = false;
 }
 
 void JawController::advance(suture::Time now, double dt) {

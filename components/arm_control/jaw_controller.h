@@ -81,8 +81,8 @@ class JawController final : public Jaw {
   double effort_ = 0;  // N.m, of servo_jf
   std::optional<JointMove<1>> move_;
   SetpointRate<1> setpointRate_;
-  suture::Time moveStart_;       // the cycle that its first set-point is of
-  std::optional<double> begun_;  // the goal of a move that has begun since the last step
+  suture::Time moveStart_;  // the cycle that its first set-point is of
+  bool begun_ = false;      // a move has, since the last step
   suture::Time lastStep_;
   bool obeyed_ = false;  // in the cycle before
   StreamWatch stream_;

@@ -31,6 +31,7 @@ class JawTest : public CrtkArmTest {
       cycles(1);
       DriveReading<6> reading;
       reading.stamp = time_;
+      reading.power = power_;
       reading.tool.position = measured_;
       jaw_.step(time_, silent_ ? std::nullopt : std::optional(reading));
       jaw_.announce(said_);
@@ -46,6 +47,7 @@ class JawTest : public CrtkArmTest {
 
   JawController jaw_{kJaw, arm_};
   double measured_ = 0.2;
+  DrivePower power_ = DrivePower::On;
   bool silent_ = false;
   HeardOfJaw said_;
 };
@@ -133,6 +135,18 @@ TEST_F(JawTest, AMoveAfterAPauseBeginsWhereItIs) {
   jaw_.move_jp(angle(1));
   jawCycles(1);
   EXPECT_TRUE(said_.goals.empty()) << "nothing has replaced it";
+  jawCycles(3000);
+  EXPECT_EQ(said_.goals, std::vector{true});
+  EXPECT_DOUBLE_EQ(setpoint(), 1);
+}
+
+TEST_F(JawTest, AMoveWaitsForThePowerOfTheDrives) {
+  power_ = DrivePower::Off;
+  jaw_.move_jp(angle(1));
+  jawCycles(3000);
+  EXPECT_TRUE(said_.goals.empty());
+  EXPECT_EQ(setpoint(), measured_);
+  power_ = DrivePower::On;
   jawCycles(3000);
   EXPECT_EQ(said_.goals, std::vector{true});
   EXPECT_DOUBLE_EQ(setpoint(), 1);
