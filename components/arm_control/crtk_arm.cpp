@@ -87,6 +87,7 @@ void CrtkArm<N>::set_base_frame(const TransformStamped& base) {
     return arm_.warn(ArmWarning::InMotion);
   }
   base_ = base;
+  base_.transform = exact(base.transform);
   tip_.nameBase(base_.moving_frame);
 }
 

@@ -2,25 +2,16 @@
 
 #include <suture/base/errors.h>
 
-#include <Eigen/Geometry>
 #include <chrono>
 #include <string>
 
-#include "arm_control/motion/goals.h"
+#include "robot_types/rigid_pose.h"
 
 namespace robots {
 namespace {
 
 constexpr suture::Duration kRegistrationPeriod = std::chrono::milliseconds(10);
 constexpr unsigned kRowsOfFrames = 128;
-
-/// Returns the frame with the nearest rotation, because others take its transpose for its inverse
-/// and multiply four of them, for which six digits are not enough.
-Eigen::Isometry3d exact(const Eigen::Isometry3d& frame) {
-  Eigen::Isometry3d result = frame;
-  result.linear() = Eigen::Quaterniond(frame.linear()).normalized().toRotationMatrix();
-  return result;
-}
 
 void makeRigid(const char* name, Eigen::Isometry3d& frame) {
   if (isRigid(frame)) {

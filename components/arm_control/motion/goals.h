@@ -1,23 +1,15 @@
 #pragma once
 // This says which goals an arm can act on.
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 
 #include "robot_types/joints.h"
 #include "robot_types/pose.h"
+#include "robot_types/rigid_pose.h"
 
 namespace robots {
-
-/// Returns true if the pose is finite, and its rotation is one to 1e-6.
-inline bool isRigid(const Eigen::Isometry3d& pose) {
-  constexpr double kRotationTolerance = 1e-6;
-  const Eigen::Matrix3d rotation = pose.linear();
-  return pose.matrix().allFinite() &&
-         (rotation * rotation.transpose()).isIdentity(kRotationTolerance) &&
-         rotation.determinant() > 0;
-}
 
 inline bool isPose(const PoseStamped& goal) { return goal.valid && isRigid(goal.pose); }
 

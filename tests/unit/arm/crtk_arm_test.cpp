@@ -226,6 +226,17 @@ TEST(PeriodStatistics, AreOfTheLastWholeSecond) {
   EXPECT_NEAR(statistics.last().period_deviation, 0, 1e-6);
 }
 
+TEST_F(CrtkArmTest, ABaseOfSixDigitsIsMadeExact) {
+  TransformStamped base = baseAt({0.1, 0, 0});
+  base.transform.linear().topLeftCorner<2, 2>() << 0.707107, -0.707107, 0.707107, 0.707107;
+  crtk_.set_base_frame(base);
+  cycles(1);
+  crtk_.servo_cp(crtk_.setpoint_cp());
+  cycles(1);
+  EXPECT_TRUE(heard_.codes.empty());
+  EXPECT_EQ(crtk_.operating_state().sub_state, "servo_cp");
+}
+
 TEST_F(CrtkArmTest, AMoveAfterAPauseBeginsAtTheJoints) {
   crtk_.unhome();
   cycles(1);

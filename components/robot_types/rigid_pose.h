@@ -1,0 +1,26 @@
+#pragma once
+// This tells a pose from a matrix that is none.
+
+#include <Eigen/Geometry>
+
+namespace robots {
+
+/// Any thread. Returns true if the pose is finite, and its rotation is one to 1e-6.
+inline bool isRigid(const Eigen::Isometry3d& pose) {
+  constexpr double kRotationTolerance = 1e-6;
+  const Eigen::Matrix3d rotation = pose.linear();
+  return pose.matrix().allFinite() &&
+         (rotation * rotation.transpose()).isIdentity(kRotationTolerance) &&
+         rotation.determinant() > 0;
+}
+
+/// Any thread. Returns a rigid pose with the nearest rotation. Who keeps a frame makes it exact,
+/// because others take its transpose for its inverse and multiply several, for which the six digits
+/// that people write are not enough.
+inline Eigen::Isometry3d exact(const Eigen::Isometry3d& pose) {
+  Eigen::Isometry3d result = pose;
+  result.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+  return result;
+}
+
+}  // namespace robots
