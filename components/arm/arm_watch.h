@@ -23,7 +23,7 @@ class ArmWatch {
     arm_.on().warning([this](const suture::Message& warning) {
       const auto reason = static_cast<ArmWarning>(warning.code);
       brokenOff_ = brokenOff_ || reason == ArmWarning::StepTooFar;
-      refuses_ = refuses_ || reason == ArmWarning::NotInserted || reason == ArmWarning::Malformed;
+      refuses_ = refuses_ || reason == ArmWarning::NotInserted;
     });
   }
   ArmWatch(const ArmWatch&) = delete;
@@ -42,7 +42,8 @@ class ArmWatch {
   bool hasBrokenOff() { return std::exchange(brokenOff_, false); }
 
   /// Returns true if the arm has refused a goal since the last call and will refuse the next one,
-  /// because its tool is not in or the goal is no pose.
+  /// because its tool is not in. An arm tells all of its clients what it refuses any of them, so
+  /// other warnings may be about a goal of somebody else.
   bool refuses() { return std::exchange(refuses_, false); }
 
   /// Call this once a cycle. It enables and homes the arm, each at most once, so that an arm which

@@ -5,14 +5,16 @@
 #include <suture/base/time.h>
 
 #include "robot_types/pose.h"
+#include "robot_types/rigid_pose.h"
 
 namespace robots {
 
-/// Any thread. Returns the pose, in the frame of its source, if it is valid and its row is no older
-/// than `maxAge`; else null. It lives as long as `sample`.
+/// Any thread. Returns the pose, in the frame of its source, if it is valid, rigid and its row is
+/// no older than `maxAge`; else null. It lives as long as `sample`.
 inline const PoseStamped* freshPose(const suture::Sample<PoseStamped>& sample,
                                     suture::Duration maxAge) {
-  return sample && sample.age() <= maxAge && sample->valid ? &*sample : nullptr;
+  const bool usable = sample && sample.age() <= maxAge && sample->valid && isRigid(sample->pose);
+  return usable ? &*sample : nullptr;
 }
 
 /// Returns the same if it was also measured no longer ago than `maxAge`; else null. A row may be

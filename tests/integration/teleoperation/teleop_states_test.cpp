@@ -353,6 +353,22 @@ TEST_F(TeleopStates, ARefusingSlaveDisablesIt) {
   EXPECT_EQ(slave_.holds(), 1u);
 }
 
+/// An arm tells all clients what it refuses any of them.
+TEST_F(TeleopStates, AnotherClientsRefusedCommandDoesNotDisableIt) {
+  startFollowing();
+  slave_.warn(ArmWarning::Malformed);
+  pass(50ms);
+  EXPECT_EQ(operator_.state(), TeleopState::Following);
+}
+
+TEST_F(TeleopStates, AMasterThatTellsNoRigidPoseIsNotFollowed) {
+  startFollowing();
+  Isometry3d bent = master_.pose();
+  bent.linear()(0, 1) += 1e-3;
+  master_.place(bent);
+  ASSERT_TRUE(reaches(TeleopState::Preparing));
+}
+
 TEST_F(TeleopStates, ASuspendStopsATurningMaster) {
   master_.refuseMoves(true);
   start();
