@@ -36,7 +36,7 @@ constexpr std::optional<ArmState> after(ArmState state, StateCommand command) {
   // The rows are the states in their order, the columns the commands in theirs.
   constexpr std::optional<ArmState> kTable[][kStateCommands.size()] = {
       // enable  disable   pause   resume   home     unhome
-      {kNo, Disabled, kNo, kNo, kNo, Undefined},           // Undefined
+      {kNo, Undefined, kNo, kNo, kNo, Undefined},          // Undefined
       {Enabled, Disabled, kNo, kNo, kNo, Disabled},        // Disabled
       {Enabled, Disabled, Paused, kNo, Enabled, Enabled},  // Enabled
       {kNo, Disabled, kNo, Enabled, kNo, Paused},          // Paused

@@ -31,7 +31,7 @@ TEST(OperatingStates, AreLeftByTheCommandsThatCrtkNames) {
     }
     return names;
   };
-  EXPECT_EQ(leaving(ArmState::Undefined), "disable ");
+  EXPECT_EQ(leaving(ArmState::Undefined), "");
   EXPECT_EQ(leaving(ArmState::Disabled), "enable ");
   EXPECT_EQ(leaving(ArmState::Enabled), "disable pause ");
   EXPECT_EQ(leaving(ArmState::Paused), "disable resume ");
