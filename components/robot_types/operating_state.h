@@ -20,7 +20,7 @@ struct SUTURE_TYPE() OperatingState {
   bool is_homed = false;
   /// Is true while a move is under way; servo commands do not set it.
   bool is_busy = false;
-  /// Is when the arm entered this state.
+  /// Is when one of the above changed last.
   suture::Time stamp;
 };
 
