@@ -957,7 +957,7 @@ constexpr char kArmDescription[] = R"json(
 "type": {"kind": "text", "capacity": 15}}, {"name": "is_homed", "wire": "isHomed", "type": {
 "kind": "Bool"}, "default": false}, {"name": "is_busy", "wire": "isBusy",
 "doc": "Is true while a move is under way; servo commands do not set it.", "type": {"kind": "Bool"
-}, "default": false}, {"name": "stamp", "doc": "Is when the arm entered this state.", "type": {
+}, "default": false}, {"name": "stamp", "doc": "Is when one of the above changed last.", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
 "doc": "Is a joint vector that an arm computed, without heap so that a control loop may return it.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {

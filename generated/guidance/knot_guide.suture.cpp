@@ -32,6 +32,8 @@ static_assert(std::is_same_v<decltype(GuideParameters::radius), double>);
 static_assert(std::is_same_v<decltype(GuideParameters::slope), double>);
 static_assert(std::is_same_v<decltype(GuideParameters::speed), double>);
 static_assert(std::is_same_v<decltype(GuideParameters::separation), double>);
+static_assert(std::is_same_v<decltype(GuideParameters::friction), double>);
+static_assert(std::is_same_v<decltype(GuideParameters::wrap), double>);
 
 }  // namespace
 
@@ -51,6 +53,8 @@ bool store(const GuideParameters& value, GuideParametersSlot& slot) {
   fits &= store(value.slope, slot.slope);
   fits &= store(value.speed, slot.speed);
   fits &= store(value.separation, slot.separation);
+  fits &= store(value.friction, slot.friction);
+  fits &= store(value.wrap, slot.wrap);
   return fits;
 }
 
@@ -69,6 +73,8 @@ void load(const GuideParametersSlot& slot, GuideParameters& value) {
   load(slot.slope, value.slope);
   load(slot.speed, value.speed);
   load(slot.separation, value.separation);
+  load(slot.friction, value.friction);
+  load(slot.wrap, value.wrap);
 }
 
 bool isValid(const GuideParametersSlot& slot, suture::FieldPath* path) {
@@ -78,7 +84,9 @@ bool isValid(const GuideParametersSlot& slot, suture::FieldPath* path) {
   if (!suture::inRange(slot.radius, 0.0001, 0.1)) return suture::refusedAt(path, "radius");
   if (!suture::inRange(slot.slope, 0, 1)) return suture::refusedAt(path, "slope");
   if (!suture::inRange(slot.speed, 0.001, 1)) return suture::refusedAt(path, "speed");
-  return suture::inRange(slot.separation, 0, 0.1) || suture::refusedAt(path, "separation");
+  if (!suture::inRange(slot.separation, 0, 0.1)) return suture::refusedAt(path, "separation");
+  if (!suture::inRange(slot.friction, 0, 1)) return suture::refusedAt(path, "friction");
+  return suture::inRange(slot.wrap, 0, 100) || suture::refusedAt(path, "wrap");
 }
 
 }  // namespace robots
@@ -101,6 +109,8 @@ void fromJson(const suture::JsonReader& in, GuideParameters& value) {
   reader.field("slope", value.slope, 0, 1);
   reader.field("speed", value.speed, 0.001, 1);
   reader.field("separation", value.separation, 0, 0.1);
+  reader.field("friction", value.friction, 0, 1);
+  reader.field("wrap", value.wrap, 0, 100);
   reader.finish();
 }
 

@@ -33,6 +33,8 @@ struct GuideParametersSlot {
   double slope;
   double speed;       // m/s
   double separation;  // m
+  double friction;
+  double wrap;  // rad
 };
 
 bool store(const GuideParameters& value, GuideParametersSlot& slot);

@@ -27,6 +27,8 @@ void toWire(const GuideParametersSlot& slot, wire::GuideParameters::Builder out)
   out.setSlope(slot.slope);
   out.setSpeed(slot.speed);
   out.setSeparation(slot.separation);
+  out.setFriction(slot.friction);
+  out.setWrap(slot.wrap);
 }
 
 suture::Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slot,
@@ -43,6 +45,8 @@ suture::Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slo
   slot.slope = in.getSlope();
   slot.speed = in.getSpeed();
   slot.separation = in.getSeparation();
+  slot.friction = in.getFriction();
+  slot.wrap = in.getWrap();
   return suture::rpc::firstError({
       in.hasTarget() ? fromWire(in.getTarget(), slot.target)
           : suture::rpc::fromDefault(GuideParameters().target, slot.target),

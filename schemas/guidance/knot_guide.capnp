@@ -38,4 +38,8 @@ struct GuideParameters @0xc5a448822c5a8c36 $Meta.cxx("robots::GuideParameters") 
   # the registration with which it began.
   operatorAge @14 :Int64 = 200000000 $Meta.cxx("operator_age") $Meta.period("1/1000000000");
   # If pedals or presence are older than this, they are not known, and both slaves hold.
+  friction @15 :Float64 = 0.15 $Meta.range(lowest = 0, highest = 1);
+  # Is the coefficient of friction of strand on strand, by which the knot holds.
+  wrap @16 :Float64 = 9.42 $Meta.range(lowest = 0, highest = 100) $Meta.unit("rad");
+  # Is how far the strand winds about itself in the knot.
 }

@@ -26,5 +26,5 @@ struct OperatingState @0x8109968bd491318f $Meta.cxx("robots::OperatingState") {
   isBusy @3 :Bool $Meta.cxx("is_busy");
   # Is true while a move is under way; servo commands do not set it.
   stamp @4 :Int64 $Meta.clock("steady");
-  # Is when the arm entered this state.
+  # Is when one of the above changed last.
 }
