@@ -64,9 +64,7 @@ class SharedServer final : public LaneServer {
   kj::Promise<AcceptedEnd> accept(IncomingConnection connection, capnp::AnyPointer::Reader brings,
                                   capnp::AnyPointer::Builder answer) override {
     const auto request = brings.getAs<wire::SharedRequest>();
-    const std::string why = connection.readOnly
-                                ? "the policy gives it for reading only"
-                                : whyOtherSlots(connection.contract, stringOf(request.getLayout()));
+    const std::string why = whyNot(connection, stringOf(request.getLayout()));
     if (!why.empty()) return rpc::failure(kj::Exception::Type::FAILED, why);
     return receive(request.getBell(), sizeof(std::uint64_t), MemoryBlock::Others::Write)
         .then([this, connection, answer](std::shared_ptr<MemoryBlock> bell) mutable {
@@ -81,6 +79,15 @@ class SharedServer final : public LaneServer {
   void opened(LaneSocket) override {}
 
  private:
+  // The rows are those of the provided contract, which may have more reads than the one that the
+  // client knows. With pointers in them they do not lie in memory that another process can map.
+  static std::string whyNot(const IncomingConnection& connection, const std::string& layout) {
+    if (connection.readOnly) return "the policy gives it for reading only";
+    if (std::string why = whyOtherSlots(connection.contract, layout); !why.empty()) return why;
+    if (connection.provided.state()->memory() != nullptr) return "";
+    return "the provider's rows have values without a bound";
+  }
+
   ServerSession& session_;
 };
 
