@@ -15,6 +15,10 @@ struct FrameRequest {
     interface @0 :UInt64;  # the id of the interface of the contract that declares it
     ordinal @1 :UInt16;
   }
+
+  latest @3 :List(Bool);
+  # By the same number: if only the newest of the client's counts, so that one without an answer uses no credit. A build of before
+  # does not say so; for what is missing here, the provider's contract counts.
 }
 
 struct FrameAnswer {

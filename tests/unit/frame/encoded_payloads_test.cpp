@@ -104,7 +104,7 @@ struct Strangers {
   Strangers() {
     std::vector<std::uint16_t> numbers(armContract().commands.size(), ProviderSide::kUnknown);
     numbers[kResetCommand] = kHoldCommand;
-    links.far->join(makeSide<ProviderSide>(far, 1, Form::Encoded, numbers));
+    links.far->join(makeSide<ProviderSide>(far, 1, Form::Encoded, ClientCommands{numbers, {}}));
     links.near->join(makeSide<ClientSide>(near, 1, Form::Encoded));
   }
   static std::shared_ptr<Channel> makeChannel() {

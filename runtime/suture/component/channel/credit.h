@@ -8,8 +8,9 @@
 namespace suture {
 
 /// A newest-wins command without an answer travels in its cell, and uses no credit.
+inline bool usesCredit(bool latest, std::uint32_t call) { return !latest || call != 0; }
 inline bool usesCredit(const CommandInfo& command, std::uint32_t call) {
-  return !command.latest || call != 0;
+  return usesCredit(command.latest, call);
 }
 
 }  // namespace suture

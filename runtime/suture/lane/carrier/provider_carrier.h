@@ -60,7 +60,6 @@ class ProviderCarrier {
   /// Notes that a command of this number uses a credit, which goes back to the client when the
   /// command has been taken, or never will be.
   void lend(std::uint16_t theirs) { ++waiting_[theirs]; }
-  std::uint32_t lent(std::uint16_t theirs) const { return waiting_[theirs]; }
 
   /// Says why a command was not put in.
   struct Refusal {

@@ -2,7 +2,6 @@
 #include <suture/frame.capnp.h>
 #include <suture/lane/frame/frame_lane.h>
 #include <suture/lane/frame/framed_connection.h>
-#include <suture/lane/frame/provider_side.h>
 #include <suture/lane/opened_once.h>
 #include <suture/loop/failure.h>
 #include <suture/net/socket.h>
@@ -33,12 +32,14 @@ struct SessionLink {
   const std::shared_ptr<Link> link;
 };
 
-void nameCommands(const InterfaceInfo& contract, wire::FrameRequest::Builder out) {
+void describeCommands(const InterfaceInfo& contract, wire::FrameRequest::Builder out) {
   const auto commands = contract.codec().commands;
   auto names = out.initCommands(static_cast<unsigned>(commands.size()));
+  auto latest = out.initLatest(names.size());
   for (unsigned i = 0; i < names.size(); ++i) {
     names[i].setInterface(commands[i].interface);
     names[i].setOrdinal(commands[i].method);
+    latest.set(i, contract.commands[i].latest);
   }
 }
 
@@ -59,6 +60,16 @@ std::vector<std::uint16_t> numbersOf(capnp::List<wire::FrameRequest::Method>::Re
   return numbers;
 }
 
+bool hasTooMany(wire::FrameRequest::Reader request) {
+  return std::max(request.getCommands().size(), request.getLatest().size()) > kMostCommands;
+}
+
+ClientCommands commandsOf(wire::FrameRequest::Reader request, const InterfaceInfo& contract) {
+  ClientCommands commands{numbersOf(request.getCommands(), contract), {}};
+  for (const bool latest : request.getLatest()) commands.latest.push_back(latest);
+  return commands;
+}
+
 class FrameAttempt final : public LaneAttempt {
  public:
   /// `mayBeSlots` says that slots mean the same in both processes, if they lie in memory alike.
@@ -74,7 +85,7 @@ class FrameAttempt final : public LaneAttempt {
     auto request = out.initAs<wire::FrameRequest>();
     if (mayBeSlots_) request.setLayout(textOf(memoryLayout(contract_)));
     request.setSocket(link_->number);
-    nameCommands(contract_, request);
+    describeCommands(contract_, request);
   }
 
   kj::Promise<OpenedEnd> open(OutgoingConnection connection,
@@ -152,8 +163,7 @@ class FrameServer final : public LaneServer {
     const auto request = brings.getAs<wire::FrameRequest>();
     std::string why = whyUnbounded(connection.contract);
     if (why.empty() && !carries(request.getSocket())) why = "the session's frames have ended";
-    if (why.empty() && request.getCommands().size() > kMostCommands)
-      why = "it has too many commands";
+    if (why.empty() && hasTooMany(request)) why = "it has too many commands";
     if (!why.empty()) return rpc::failure(kj::Exception::Type::FAILED, why);
     const bool encoded = !whyOtherSlots(connection.contract, stringOf(request.getLayout())).empty();
     auto accepted = answer.initAs<wire::FrameAnswer>();
@@ -162,7 +172,7 @@ class FrameServer final : public LaneServer {
     const FramedOn on{lane_.name(), lane_.thread(), link_->link, latest_,
                       encoded ? Form::Encoded : Form::Slots};
     return acceptFramed(connection, on, session_.control(),
-                        numbersOf(request.getCommands(), connection.contract));
+                        commandsOf(request, connection.contract));
   }
 
   // Connections on the socket before keep it for as long as they live.

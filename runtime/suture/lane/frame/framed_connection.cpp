@@ -1,7 +1,6 @@
 #include <suture/lane/frame/client_side.h>
 #include <suture/lane/frame/frame_end.h>
 #include <suture/lane/frame/framed_connection.h>
-#include <suture/lane/frame/provider_side.h>
 #include <suture/lane/mirrored_channel.h>
 #include <suture/lane/status_port.h>
 
@@ -22,7 +21,7 @@ OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
 }
 
 AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& on,
-                         rpc::ControlThread& control, std::vector<std::uint16_t> commands) {
+                         rpc::ControlThread& control, ClientCommands commands) {
   const InterfaceInfo& contract = connection.contract;
   const std::shared_ptr<rt::Doorbell> bell = on.thread.doorbell();
   const Channel::Ends ends{.client = bell,

@@ -3,11 +3,11 @@
 
 #include <suture/lane/frame/lane_thread.h>
 #include <suture/lane/frame/link.h>
+#include <suture/lane/frame/provider_side.h>
 #include <suture/lane/lane_kind.h>
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 namespace suture::frame {
 
@@ -25,9 +25,8 @@ struct FramedOn {
 OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
                      rpc::ControlThread& control);
 
-/// The control thread. Makes the provider's end. `commands` has, by the number that the client
-/// gives a command, its number here; it is empty if the two have the same numbers.
+/// The control thread. Makes the provider's end.
 AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& on,
-                         rpc::ControlThread& control, std::vector<std::uint16_t> commands = {});
+                         rpc::ControlThread& control, ClientCommands commands = {});
 
 }  // namespace suture::frame

@@ -9,10 +9,11 @@
 namespace suture::frame {
 
 ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, std::unique_ptr<Payloads> payloads,
-                           std::uint32_t number, std::vector<std::uint16_t> commands)
+                           std::uint32_t number, ClientCommands commands)
     : Connection(std::move(channel), std::move(payloads), number),
+      latest_(std::move(commands.latest)),
       row_(*channel_->state),
-      carrier_(*channel_, *this, std::move(commands)) {}
+      carrier_(*channel_, *this, std::move(commands.numbers)) {}
 
 // ---- from the client
 
@@ -25,19 +26,14 @@ bool ProviderSide::take(const Header& header, std::span<std::byte> payload) {
   }
 }
 
-// A command that is unknown here uses its credit until the client is told.
+// A command that is refused, because it is unknown here or the queue here is shorter than the
+// client's, uses its credit until the client is told.
 bool ProviderSide::takeCommand(const Header& header, std::span<std::byte> payload) {
   if (header.number >= carrier_.commands()) return false;
+  if (hasUsedCredit(header)) carrier_.lend(header.number);
   const std::uint16_t number = carrier_.commandAt(header.number);
-  if (number == kUnknown) {
-    carrier_.lend(header.number);
-    return tellRefused(header, Errc::NotImplemented);
-  }
+  if (number == kUnknown) return tellRefused(header, Errc::NotImplemented);
   const CommandInfo& command = channel_->info.commands[number];
-  if (usesCredit(command, header.call)) {
-    if (carrier_.lent(header.number) == command.depth) return false;
-    carrier_.lend(header.number);
-  }
   const ArrivedValue value =
       payloads_->open({Kind::Command, number}, payload, channel_->clockShift());
   if (value.slot == nullptr) return false;
@@ -48,6 +44,14 @@ bool ProviderSide::takeCommand(const Header& header, std::span<std::byte> payloa
   };
   const Time sent = arrivalStamp(*channel_, header.stamp);
   return tellRefused(header, carrier_.post(number, sent, header.call, copy).error);
+}
+
+// The client counts its credits by its own contract.
+bool ProviderSide::hasUsedCredit(const Header& header) const {
+  const std::uint16_t theirs = header.number;
+  if (theirs < latest_.size()) return usesCredit(latest_[theirs], header.call);
+  const std::uint16_t number = carrier_.commandAt(theirs);
+  return number == kUnknown || usesCredit(channel_->info.commands[number], header.call);
 }
 
 bool ProviderSide::tellRefused(const Header& header, Errc error) {

@@ -11,6 +11,14 @@
 
 namespace suture::frame {
 
+/// Says what a client calls the commands, by the number that it gives each of them.
+struct ClientCommands {
+  /// Has the number here, or ProviderSide::kUnknown; is empty if the two have the same numbers.
+  std::vector<std::uint16_t> numbers;
+  /// Tells if the client's contract says latest(); for those beyond its end, the provider's does.
+  std::vector<bool> latest;
+};
+
 /// Belongs to the lane thread. Puts the commands that arrive into the provider's channel, and sends
 /// what the provider answers, emits and publishes.
 class ProviderSide final : public Connection, private ProviderCarrier::Wire {
@@ -18,11 +26,9 @@ class ProviderSide final : public Connection, private ProviderCarrier::Wire {
   /// Stands for a command that the contract does not have.
   static constexpr std::uint16_t kUnknown = ProviderCarrier::kUnknown;
 
-  /// `channel`'s client doorbell is the lane thread's. `commands` has, by the number that the
-  /// client gives a command, its number here, or kUnknown; it is empty if the two have the same
-  /// numbers.
+  /// `channel`'s client doorbell is the lane thread's.
   ProviderSide(std::shared_ptr<Channel> channel, std::unique_ptr<Payloads> payloads,
-               std::uint32_t number, std::vector<std::uint16_t> commands = {});
+               std::uint32_t number, ClientCommands commands = {});
 
   /// Before it is carried: accepts only reads from now on; a command is refused
   /// (Errc::NotPermitted).
@@ -37,6 +43,7 @@ class ProviderSide final : public Connection, private ProviderCarrier::Wire {
   void letGo(Kind kind) override;
 
   bool takeCommand(const Header& header, std::span<std::byte> payload);
+  bool hasUsedCredit(const Header& header) const;
   bool tellRefused(const Header& header, Errc error);
   bool takeSubscription(const Header& header, std::span<const std::byte> payload);
 
@@ -56,6 +63,7 @@ class ProviderSide final : public Connection, private ProviderCarrier::Wire {
   std::array<RefusedCall, Channel::kMaxCalls> refusedCalls_;  // those that the client does not know
                                                               // of yet
   std::size_t refusedCallCount_ = 0;
+  const std::vector<bool> latest_;  // by the client's number, as its contract says
   RowCopy row_;
   ProviderCarrier carrier_;
 };

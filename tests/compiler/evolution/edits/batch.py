@@ -130,6 +130,15 @@ def handler(edit, command: Command, told):
     return edit.text(f"  {command.implemented} final {{{body}{gives} }}\n")
 
 
+def caller(command: Command, call):
+    """Has the provider take a flood before the call, since its own queue may be shorter than the client's."""
+    flood = ""
+    if call.flood:
+        flood = (f'  flood("{command.name}", [&] {{ return edits.{command.name}({call.flood}); }});\n'
+                 '  (void)edits.exchange.start(example()).within(std::chrono::seconds(10));\n')
+    return flood + f'  tell("{command.name}", edits.{command.name}.start({call.arguments}));\n'
+
+
 def kept(edit, side):
     """Returns what provides the contract of a breaking edit: no client ever reaches it."""
     all_commands = [Command("void stay()"), *side.commands, *([LAST] if side.base else [])]
@@ -149,8 +158,7 @@ def versioned(version):
         "members": "".join(f'  print("{edit.stem}.{name}", record.{member(edit)}.{name});\n'
                            for edit, side in chosen for name in side.sees),
         "handlers": "".join(handler(edit, one, True) for edit, one in commands),
-        "calls": "".join(edit.text(f'  tell("{one.name}", edits.{one.name}.start({call.arguments}));\n')
-                         for edit, one in commands for call in one.calls),
+        "calls": "".join(edit.text(caller(one, call)) for edit, one in commands for call in one.calls),
         "listens": "".join(f'  hear("{one.name}", edits.on().{one.name}([](double value) {{ printEvent("{one.name}", value); }}));\n'
                            for _, one in events),
         "emits": "".join(f"  emit.{one.name}({one.emits});\n" for _, one in events),

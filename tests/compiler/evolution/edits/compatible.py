@@ -230,6 +230,10 @@ def one(signature, says="", heard="a=3", **more):
     return commands(Command(signature, says, (Call("3", heard=heard),), **more))
 
 
+def flooded(signature, says=""):
+    return commands(Command(signature, says, (Call("3", heard="a=3", flood="0"),)))
+
+
 COMMANDS = [
     Edit("command added", "a command, also of a base", Side(),
          commands(Command("void added(std::int32_t a)",
@@ -256,12 +260,12 @@ COMMANDS = [
     Edit("command deprecated", "`deprecated()`",
          one("void deprecated_one(std::int32_t a)"), one("void deprecated_one(std::int32_t a)", 'deprecated("use b")'),
          build="lock-stale"),
-    Edit("queue made longer", POLICY, one("void deep(std::int32_t a)", "queue(2)"),
-         one("void deep(std::int32_t a)", "queue(9)"), build="lock-stale"),
-    Edit("command made latest", POLICY, one("void newest(std::int32_t a)"),
-         one("void newest(std::int32_t a)", "latest()"), build="lock-stale"),
-    Edit("command no longer latest", POLICY, one("void all_of_them(std::int32_t a)", "latest()"),
-         one("void all_of_them(std::int32_t a)"), build="lock-stale"),
+    Edit("queue made longer", POLICY, flooded("void deep(std::int32_t a)", "queue(2)"),
+         flooded("void deep(std::int32_t a)", "queue(9)"), build="lock-stale"),
+    Edit("command made latest", POLICY, flooded("void newest(std::int32_t a)"),
+         flooded("void newest(std::int32_t a)", "latest()"), build="lock-stale"),
+    Edit("command no longer latest", POLICY, flooded("void all_of_them(std::int32_t a)", "latest()"),
+         flooded("void all_of_them(std::int32_t a)"), build="lock-stale"),
     Edit("ttl changed", POLICY, one("void timely(std::int32_t a)", "ttl(5s)"),
          one("void timely(std::int32_t a)", "ttl(9s)"), build="lock-stale"),
     Edit("deadline changed", POLICY, one("void awaited(std::int32_t a)", "deadline(5s)"),

@@ -16,6 +16,7 @@ class Call:
     arguments: str = ""
     answer: str = "done"
     heard: str | None = ""
+    flood: str = ""  # the argument of many that are sent before it and await no answer; a handler need not hear them all
 
 
 @dataclasses.dataclass(frozen=True)

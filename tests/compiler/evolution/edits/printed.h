@@ -2,9 +2,12 @@
 // The peers of both versions print so what they get.
 
 #include <suture/base/errors.h>
+#include <suture/base/time.h>
 
+#include <chrono>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <type_traits>
 
 #include "tests/compiler/evolution/kinds_text.h"
@@ -26,6 +29,22 @@ template <class Call>
 void tell(const char* name, Call call) {
   const auto& answer = call.within(std::chrono::seconds(10));
   std::cout << name << ": " << (answer ? "done" : toString(answer.error())) << std::endl;
+}
+
+/// Sends more commands that await no answer than any queue of the table has room for, each as soon
+/// as there is room, and says why one could not be sent.
+template <class Send>
+void flood(const char* name, const Send& send) {
+  const suture::Time deadline = suture::now() + std::chrono::seconds(10);
+  for (int i = 0; i < 100; ++i) {
+    auto sent = send();
+    for (; !sent && sent.error() == suture::Errc::Full && suture::now() < deadline; sent = send()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (sent) continue;
+    std::cout << "flood of " << name << ": " << toString(sent.error()) << std::endl;
+    return;
+  }
 }
 
 template <class Subscribed>

@@ -14,7 +14,7 @@ namespace suture {
 struct Tally {
   std::uint64_t executed = 0;    ///< the handler ran to its end
   std::uint64_t late = 0;        ///< it was older than its ttl
-  std::uint64_t refused = 0;     ///< suspended, parked, ending, not permitted, invalid
+  std::uint64_t refused = 0;     ///< suspended, parked, ending, not permitted, invalid, no room
   std::uint64_t failed = 0;      ///< the handler threw
   std::uint64_t replaced = 0;    ///< a newer one of the same latest() command came first
   std::uint64_t superseded = 0;  ///< a later one had run, or been taken to run, already
