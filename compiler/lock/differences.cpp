@@ -222,7 +222,8 @@ class Comparison {
   void compare(LockPlace before, LockPlace now) {
     const Member &old = *before.member, &member = *now.member;
     const std::string subject = titleOf(*before.node, old);
-    if (member.name != old.name) {
+    // A placeholder only makes room for a new member, which is told of.
+    if (member.name != old.name && !member.removed()) {
       add(Change::Renamed, Effect::None, before, now, subject,
           " is called '" + member.name + "' now");
     }

@@ -117,8 +117,8 @@ class Merger {
     const Node& locked = old_.nodes[same->second];
     for (const Member& member : locked.members) {
       const std::size_t i = find(wanted, locked, member);
-      const std::string name =
-          i == wanted.members.size() ? placeholder(member).name : wanted.members[i].member.name;
+      const std::string name = i == wanted.members.size() ? placeholder(member, wanted).name
+                                                          : wanted.members[i].member.name;
       if (member.ordinal == 0) zero = name;
       enumerators_.add(wanted.node.name, member.name, name);
     }
@@ -151,7 +151,7 @@ class Merger {
     for (const Member& member : locked.members) {
       const std::size_t i = find(wanted, locked, member);
       if (i == wanted.members.size()) {
-        append(node, placeholder(member));
+        append(node, placeholder(member, wanted));
       } else {
         used[i] = true;
         append(node, merged(wanted.members[i].member, member));
@@ -187,11 +187,20 @@ class Merger {
     });
   }
 
-  static Member placeholder(Member member) {
-    if (member.removed()) return member;
-    member.annotations["removed"] = quoted(member.name);
-    member.name = "removed" + std::to_string(member.ordinal);
+  /// Returns what keeps the ordinal of a removed member. What the header declares has the first
+  /// right to a name, because nothing refers to a placeholder by name.
+  static Member placeholder(Member member, const WantedNode& wanted) {
+    if (!member.removed()) {
+      member.annotations["removed"] = quoted(member.name);
+      member.name = "removed" + std::to_string(member.ordinal);
+    }
+    while (declares(wanted, member.name)) member.name += "Place";
     return member;
+  }
+
+  static bool declares(const WantedNode& wanted, const std::string& name) {
+    return std::any_of(wanted.members.begin(), wanted.members.end(),
+                       [&](const WantedMember& one) { return one.member.name == name; });
   }
 
   Member merged(const Member& wanted, const Member& locked) const {

@@ -85,6 +85,26 @@ TEST_F(LockTest, RemovedFieldLeavesAPlaceholderForEver) {
   EXPECT_TRUE(check(model_, after).empty());
 }
 
+TEST_F(LockTest, APlaceholderGivesWayToAFieldOfItsName) {
+  everything().fields.push_back(sample::field("removed3", sample::scalar(Scalar::Bool)));
+  const Locks old = lockOf(model_, before_);
+  everything().fields.erase(everything().fields.begin() + 3);  // speed
+  Locks after = lockOf(model_, old);
+  const Node* node = &nodeOf(armLock(after), "Everything");
+  EXPECT_TRUE(node->members[3].removed());
+  EXPECT_EQ(node->members[3].name, "removed3Place");
+  EXPECT_EQ(node->members.back().name, "removed3");
+  EXPECT_TRUE(check(model_, after).empty());
+
+  everything().fields.push_back(sample::field("removed3_place", sample::scalar(Scalar::Bool)));
+  EXPECT_EQ(slugs(check(model_, after)), Slugs{"lock-new"});
+  after = lockOf(model_, after);
+  node = &nodeOf(armLock(after), "Everything");
+  EXPECT_TRUE(node->members[3].removed());
+  EXPECT_EQ(node->members[3].name, "removed3PlacePlace");
+  EXPECT_TRUE(check(model_, after).empty());
+}
+
 TEST_F(LockTest, RenameWithWasKeepsTheOrdinal) {
   field("speed").was = "speed";
   field("speed").wireName = "pathSpeed";
