@@ -9,9 +9,11 @@ namespace {
 /// Is something that may have been called otherwise.
 struct Named {
   std::string subject;
-  std::string name;
-  std::optional<std::string> was;
+  std::optional<std::string> was;  ///< as written
   model::Source source;
+  // These are spelled alike, because was() may say a name in more than one way.
+  std::string name;
+  std::string formerName;
 };
 
 const Named* find(const std::vector<Named>& all, const std::string& name) {
@@ -25,7 +27,7 @@ const Named* find(const std::vector<Named>& all, const std::string& name) {
 bool isExchanged(const Named& first, const std::vector<Named>& all) {
   const Named* one = &first;
   for (std::size_t steps = 0; one != nullptr && one->was && steps < all.size(); ++steps) {
-    one = find(all, *one->was);
+    one = find(all, one->formerName);
     if (one == &first) return steps > 0;
   }
   return false;
@@ -41,12 +43,24 @@ void checkExchanges(const std::vector<Named>& all, model::Diagnostics& findings)
   }
 }
 
+/// Returns the names of types or contracts; was() may say them with or without their namespace.
 template <class Declarations>
-std::vector<Named> namesOf(const std::string& what, const Declarations& declarations) {
+std::vector<Named> typesOf(const std::string& what, const Declarations& declarations) {
   std::vector<Named> all;
   for (const auto& one : declarations) {
-    const std::string name = model::unqualified(one.name);
-    all.push_back({what + " '" + name + "'", name, one.was, one.source});
+    all.push_back({what + " '" + model::unqualified(one.name) + "'", one.was, one.source, one.name,
+                   model::formerName(one.name, one.was).value_or("")});
+  }
+  return all;
+}
+
+/// Returns the names of members; was() may say them as C++ or as the wire spells them.
+template <class Members>
+std::vector<Named> membersOf(const std::string& what, const Members& members) {
+  std::vector<Named> all;
+  for (const auto& one : members) {
+    all.push_back({what + " '" + one.name + "'", one.was, one.source, model::camelCase(one.name),
+                   model::camelCase(one.was.value_or(""))});
   }
   return all;
 }
@@ -54,18 +68,18 @@ std::vector<Named> namesOf(const std::string& what, const Declarations& declarat
 }  // namespace
 
 void checkExchanges(const model::Header& header, model::Diagnostics& findings) {
-  checkExchanges(namesOf("type", header.enums), findings);
-  checkExchanges(namesOf("type", header.structs), findings);
-  checkExchanges(namesOf("contract", header.interfaces), findings);
+  checkExchanges(typesOf("type", header.enums), findings);
+  checkExchanges(typesOf("type", header.structs), findings);
+  checkExchanges(typesOf("contract", header.interfaces), findings);
   for (const model::Enum& type : header.enums) {
-    checkExchanges(namesOf("enumerator", type.enumerators), findings);
+    checkExchanges(membersOf("enumerator", type.enumerators), findings);
   }
   for (const model::Struct& type : header.structs) {
-    checkExchanges(namesOf("field", type.fields), findings);
+    checkExchanges(membersOf("field", type.fields), findings);
   }
   for (const model::Interface& interface : header.interfaces) {
-    checkExchanges(namesOf("command", interface.commands), findings);
-    checkExchanges(namesOf("event", interface.events), findings);
+    checkExchanges(membersOf("command", interface.commands), findings);
+    checkExchanges(membersOf("event", interface.events), findings);
   }
 }
 

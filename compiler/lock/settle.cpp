@@ -10,6 +10,7 @@
 #include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
 #include "compiler/model/lookup.h"
+#include "compiler/model/naming.h"
 
 namespace suture::compiler::lock {
 namespace {
@@ -107,7 +108,7 @@ const Node* nodeOf(const Type& type, const Lock* lock) {
     return found == lock->nodes.end() ? nullptr : &*found;
   };
   const Node* node = find(type.name);
-  const std::optional<std::string> was = formerName(type.name, type.was);
+  const std::optional<std::string> was = model::formerName(type.name, type.was);
   return node == nullptr && was ? find(*was) : node;
 }
 

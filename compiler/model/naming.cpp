@@ -54,6 +54,13 @@ std::string namespaceOf(std::string_view cxxName) {
                                                      : cxxName.substr(0, colon));
 }
 
+std::optional<std::string> formerName(const std::string& name,
+                                      const std::optional<std::string>& was) {
+  if (!was || was->find("::") != std::string::npos) return was;
+  const std::string space = namespaceOf(name);
+  return (space.empty() ? "" : space + "::") + *was;
+}
+
 std::string wireNamespace(std::string_view cxxNamespace) {
   return cxxNamespace.empty() ? "wire" : std::string(cxxNamespace) + "::wire";
 }

@@ -2,6 +2,7 @@
 // This is how names change between C++, Cap'n Proto and the C++ that capnp writes.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,6 +29,11 @@ std::string unqualified(std::string_view cxxName);
 
 /// Turns "robots::arm::PoseStamped" into "robots::arm"; "" at global scope.
 std::string namespaceOf(std::string_view cxxName);
+
+/// Returns the name in the was() of what is called `name`. If it is not qualified, it gets the
+/// namespace of `name`.
+std::optional<std::string> formerName(const std::string& name,
+                                      const std::optional<std::string>& was);
 
 /// Turns "robots::arm" into "robots::arm::wire": where capnp's C++ of a header lives.
 std::string wireNamespace(std::string_view cxxNamespace);

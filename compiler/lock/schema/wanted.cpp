@@ -73,7 +73,7 @@ WantedNode wantedEnum(const model::Enum& declaration) {
   result.node.annotations = {{"cxx", quoted(declaration.name)},
                              {"underlying", quoted(capnpScalar(declaration.underlying))}};
   addLifecycle(result.node.annotations, declaration.lifecycle);
-  result.was = formerName(declaration.name, declaration.was);
+  result.was = model::formerName(declaration.name, declaration.was);
   result.node.doc = declaration.doc.text;
   for (const model::Enumerator& enumerator : declaration.enumerators) {
     Member member = plain(enumerator.wireName, "", enumerator.doc.text);
@@ -104,7 +104,7 @@ WantedNode wantedStruct(const model::Struct& declaration, const model::Lookup& l
                                 "struct '" + declaration.name + "'", declaration.source);
   result.node.annotations = {{"cxx", quoted(declaration.name)}};
   addLifecycle(result.node.annotations, declaration.lifecycle);
-  result.was = formerName(declaration.name, declaration.was);
+  result.was = model::formerName(declaration.name, declaration.was);
   result.node.doc = declaration.doc.text;
   for (const model::Field& field : declaration.fields) {
     result.members.push_back(wantedField(declaration, field, lookup, header));
@@ -312,20 +312,13 @@ std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup&
     nodes.push_back(wantedStruct(declaration, lookup, header));
   }
   for (const model::Interface& declaration : header.interfaces) {
-    const auto was = formerName(declaration.name, declaration.was);
+    const auto was = model::formerName(declaration.name, declaration.was);
     for (const auto& part : {wantedInterface, wantedEvents, wantedState}) {
       nodes.push_back(part(declaration, lookup, header));
       nodes.back().was = was;
     }
   }
   return nodes;
-}
-
-std::optional<std::string> formerName(const std::string& name,
-                                      const std::optional<std::string>& was) {
-  if (!was || was->find("::") != std::string::npos) return was;
-  const std::string space = model::namespaceOf(name);
-  return (space.empty() ? "" : space + "::") + *was;
 }
 
 std::string payloadName(std::size_t index) {

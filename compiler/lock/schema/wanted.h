@@ -35,11 +35,6 @@ inline constexpr char kSent[] = "/suture/rpc.capnp:Sent";
 /// followed by its events and its state row.
 std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup);
 
-/// Returns the name in the was() of what is called `name`. If it is not qualified, it gets the
-/// namespace of `name`.
-std::optional<std::string> formerName(const std::string& name,
-                                      const std::optional<std::string>& was);
-
 /// Says what value `index` of an event's payload is called on the wire: "value", "value2",
 /// "value3".
 std::string payloadName(std::size_t index);
