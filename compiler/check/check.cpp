@@ -36,6 +36,7 @@ model::Diagnostics check(const model::Model& model) {
   for (const model::Header& complete : model.headers) {
     if (!complete.own) continue;
     checkNames(complete, findings);
+    checkContractSizes(complete, findings);
     const model::Header header = declaredIn(complete);
     checkEnums(header, findings);
     checkExchanges(header, findings);

@@ -30,6 +30,10 @@ void checkQueues(const model::Header& header, model::Diagnostics& findings);
 /// command, and names that generated code needs for itself.
 void checkContracts(const model::Header& header, model::Diagnostics& findings);
 
+/// Checks that no contract has more reads or events than a connection can tell apart, with what it
+/// inherits.
+void checkContractSizes(const model::Header& header, model::Diagnostics& findings);
+
 /// Checks since() and deprecated(): versions count from 1, and what is new avoids what is old.
 void checkLifecycles(const model::Header& header, const model::Lookup& lookup,
                      model::Diagnostics& findings);

@@ -29,7 +29,7 @@ BEFORE = {
 }
 
 # These pages show what to run or to include instead of what to write.
-WITHOUT_EXAMPLE = {"enum-size", "forgotten-include", "lock-conflict", "lock-duplicate-id", "lock-missing", "lock-moved", "lock-new",
+WITHOUT_EXAMPLE = {"contract-size", "enum-size", "forgotten-include", "lock-conflict", "lock-duplicate-id", "lock-missing", "lock-moved", "lock-new",
                    "lock-newer", "lock-renamed", "lock-stale", "lock-syntax", "nesting", "own-generated-include", "slot-size"}
 
 STANDARD = {"array": "array", "optional": "optional", "vector": "vector", "string": "string", "map": "map", "deque": "deque",

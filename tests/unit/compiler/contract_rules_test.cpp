@@ -171,6 +171,53 @@ TEST(Inheritance, NewNamesMustDifferFromInheritedOnes) {
   EXPECT_EQ(slugs(two), Slugs{"wire-name-clash"});
 }
 
+/// Returns the contract of header() with this many reads and events.
+model::Interface crowded(unsigned count) {
+  model::Interface contract = header().interfaces[0];
+  while (contract.commands.size() < count + 1) {  // one of them is a write
+    contract.commands.push_back(read("r" + std::to_string(contract.commands.size()), number()));
+  }
+  while (contract.events.size() < count) {
+    contract.events.push_back(event("e" + std::to_string(contract.events.size()), number()));
+  }
+  return contract;
+}
+
+TEST(Crowds, ReadsAndEventsHaveABitEach) {
+  model::Header one = header();
+  one.interfaces[0] = crowded(64);
+  EXPECT_EQ(slugs(one), Slugs{});
+  one.interfaces[0] = crowded(65);
+  EXPECT_EQ(slugs(one), (Slugs{"contract-size", "contract-size"}));
+}
+
+TEST(Crowds, InheritedReadsAndEventsCount) {
+  model::Header two = header();
+  two.interfaces[0] = crowded(64);
+  model::Interface derived = two.interfaces[0];
+  for (model::Command& command : derived.commands) command.inheritedFrom = derived.name;
+  for (model::Event& event : derived.events) event.inheritedFrom = derived.name;
+  derived.name = "demo::Derived";
+  derived.wireName = "Derived";
+  two.interfaces.push_back(derived);
+  EXPECT_EQ(slugs(two), Slugs{});
+  two.interfaces[1].commands.push_back(read("own", number()));
+  two.interfaces[1].events.push_back(event("own", number()));
+  EXPECT_EQ(slugs(two), (Slugs{"contract-size", "contract-size"}));
+}
+
+TEST(Crowds, AContractThatAddsNothingIsJudgedAtItsBaseOnly) {
+  model::Header two = header();
+  two.interfaces[0] = crowded(65);
+  model::Interface derived = two.interfaces[0];
+  for (model::Command& command : derived.commands) command.inheritedFrom = derived.name;
+  for (model::Event& event : derived.events) event.inheritedFrom = derived.name;
+  derived.name = "demo::Derived";
+  derived.wireName = "Derived";
+  two.interfaces.push_back(derived);
+  EXPECT_EQ(slugs(two), (Slugs{"contract-size", "contract-size"}));
+}
+
 TEST(Components, InterfacesHaveNamesOfTheirOwn) {
   model::Header one = header();
   model::Component component;
