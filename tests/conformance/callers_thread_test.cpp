@@ -45,8 +45,10 @@ TEST_P(CallersThread, AConcurrentReadIsAnsweredThere) {
 TEST_P(CallersThreadAndATask, CallersDoNotWaitForABusyProvider) {
   stall();
   client->withGripper([](Gripper& remote) {
-    EXPECT_TRUE(remote.release.start().poll());
-    EXPECT_TRUE(remote.fits.start(0.05).poll());
+    auto released = remote.release.start();
+    auto fits = remote.fits.start(0.05);
+    EXPECT_TRUE(released.poll());
+    EXPECT_TRUE(fits.poll());
   });
   EXPECT_EQ(arm->taken(), std::vector<std::string>{"release"});
   arm->gate().open();

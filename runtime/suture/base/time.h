@@ -38,6 +38,13 @@ inline std::int64_t toNanoseconds(Time time) { return time.time_since_epoch().co
 inline Time fromNanoseconds(std::int64_t count) { return Time{Duration{count}}; }
 
 // These use raw counts so that includers need not compile chrono's operators.
+
+/// Any thread. Returns when `duration` will be over; Time::max() if that is beyond what a Time can
+/// hold, so that a wait of Duration::max() has no end.
+inline Time fromNow(Duration duration) {
+  const std::int64_t begin = toNanoseconds(now()), most = Time::max().time_since_epoch().count();
+  return fromNanoseconds(duration.count() > most - begin ? most : begin + duration.count());
+}
 inline Duration since(Time then) { return Duration{toNanoseconds(now()) - toNanoseconds(then)}; }
 inline Time ago(Duration age) { return fromNanoseconds(toNanoseconds(now()) - age.count()); }
 

@@ -76,15 +76,17 @@ class [[nodiscard]] Call : CallBase {
     end(Traits::error(sent));
   }
 
-  /// Returns the answer if it is here, else null. Never blocks.
-  const Answer* poll() {
+  /// Returns the answer if it is here, else null. Never blocks. The answer is part of the call, so
+  /// keep the call.
+  const Answer* poll() & {
     if (!ended_ && done()) take();
     return ended_ ? &answer_ : nullptr;
   }
+  const Answer* poll() && = delete;
 
   /// Waits at most `limit` for the answer and returns it, or Errc::Timeout. There is no way to wait
   /// without a limit.
-  const Answer& within(Duration limit) {
+  const Answer& within(Duration limit) & {
     if (!ended_) {
       waitUntilDone(limit);
       if (!poll()) {
@@ -96,7 +98,13 @@ class [[nodiscard]] Call : CallBase {
   }
   /// Waits as long as the deadline() that the contract states for the command, else
   /// kDefaultDeadline.
-  const Answer& within() { return within(limit_); }
+  const Answer& within() & { return within(limit_); }
+  /// Do the same for a call that nobody keeps.
+  Answer within(Duration limit) && {
+    within(limit);
+    return std::move(answer_);
+  }
+  Answer within() && { return std::move(*this).within(limit_); }
 
   /// Never blocks. Takes the command back: returns true if it will not be executed; then
   /// Errc::Cancelled is the answer. Returns false, and changes nothing, if it runs or has run, has

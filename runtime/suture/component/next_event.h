@@ -40,21 +40,26 @@ class [[nodiscard]] NextEvent final : private AwaitedEvent {
 
   /// Never blocks. Returns the answer if it is here, else null. It looks for one where handlers
   /// run, before run() or in a device's processEvents().
-  const Answer* poll() {
+  const Answer* poll() & {
     if (!answered_ && over()) answer();
     return answered_ ? &answer_ : nullptr;
   }
+  const Answer* poll() && = delete;
 
   /// Waits at most `limit` for the answer and returns it, or Errc::Timeout; there is no way to wait
   /// without a limit. Meanwhile it runs the handlers of what else arrives on this interface. It is
   /// not for a periodic task, which would miss its period. In a handler of an event it answers
   /// Errc::CannotWait.
-  const Answer& within(Duration limit) {
+  const Answer& within(Duration limit) & {
     if (!answered_) {
       wait(limit);
       answer();
     }
     return answer_;
+  }
+  Answer within(Duration limit) && {
+    within(limit);
+    return std::move(answer_);
   }
 
  private:

@@ -49,7 +49,7 @@ void ReportWriter::tell(const nlohmann::json& message, const std::string& text) 
 }
 
 void ReportWriter::flush(Duration patience) {
-  const Time deadline = now() + patience;
+  const Time deadline = fromNow(patience);
   while (!waiting_.empty() && takesMore(descriptor_, deadline - now())) {
     const ssize_t written =
         ::write(descriptor_, waiting_.data(), std::min(waiting_.size(), kAtOnce));

@@ -45,7 +45,9 @@ class Outcome {
   /// Waits a little longer than `deadline`: the control thread itself settles at the deadline
   /// unless it hangs.
   T wait(Duration deadline) {
-    const Time late = now() + deadline + std::chrono::seconds(1);
+    constexpr Duration kLater = std::chrono::seconds(1);
+    const Time late =
+        deadline < Duration::max() - kLater ? fromNow(deadline + kLater) : Time::max();
     while (settled_.waitUntil(late) == rt::RungFor::Nothing && now() < late) {
     }
     const std::lock_guard lock(mutex_);

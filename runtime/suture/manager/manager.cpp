@@ -151,7 +151,7 @@ void Manager::awaitStart(Duration patience) const {
       return component->state() == ComponentState::Faulted;
     });
   };
-  const Time deadline = begin + patience;
+  const Time deadline = fromNow(patience);
   while (!missing().empty() && now() < deadline && !faulted()) {
     changed_->waitUntil(std::min(deadline, now() + kLookAgain));
   }
@@ -202,7 +202,7 @@ void Manager::change(const std::string& name, Transition transition, Duration pa
   Component& component = directory_.component(name);
   const ComponentState before = component.state();
   component.request(transition);
-  const Time deadline = now() + patience;
+  const Time deadline = fromNow(patience);
   while (component.state() == before && now() < deadline) changed_->waitUntil(deadline);
   const ComponentState reached = component.state();
   const ComponentState* const meant = after(before, transition);

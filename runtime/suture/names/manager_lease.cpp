@@ -142,9 +142,9 @@ kj::Promise<ProcessRecord> ManagerLease::resolve(const std::string& process, Dur
   KJ_IF_MAYBE (session, session_) {
     auto request = session->resolveRequest();
     request.setProcess(textOf(process));
-    const auto milliseconds = std::chrono::ceil<std::chrono::milliseconds>(wait).count();
+    const Duration bounded = std::clamp(wait, Duration{0}, kLongestWait);
     request.setWaitMilliseconds(
-        static_cast<std::uint32_t>(std::clamp<std::int64_t>(milliseconds, 0, 60'000)));
+        static_cast<std::uint32_t>(std::chrono::ceil<std::chrono::milliseconds>(bounded).count()));
     return request.send().then([](auto&& results) -> kj::Promise<ProcessRecord> {
       if (results.isRefused()) return refused(results.getRefused());
       return fromWire(results.getFound());

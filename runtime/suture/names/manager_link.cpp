@@ -48,7 +48,7 @@ ManagerLease& ManagerLink::nearest() const {
 
 // Awaits the slow ones too, because a process whose name is taken at one of them must be told.
 kj::Promise<void> ManagerLink::open(Duration patience) {
-  const Time deadline = now() + patience;
+  const Time deadline = fromNow(patience);
   auto failures = std::make_shared<Failures>(leases_.size());
   kj::Vector<kj::Promise<void>> attempts;
   for (std::size_t i = 0; i < leases_.size(); ++i) {
@@ -97,12 +97,18 @@ void ManagerLink::update(const std::vector<ComponentRecord>& components) {
   for (const auto& lease : leases_) lease->update(components);
 }
 
+// A manager lets a question wait for so long only, and is asked again by who has more patience.
 kj::Promise<ProcessRecord> ManagerLink::resolve(const std::string& process, Duration wait) {
-  const Time deadline = now() + wait;
+  const Time deadline = fromNow(wait),
+             answered = fromNow(std::min(wait, ManagerLease::kLongestWait));
   return askAll(process, wait)
-      .catch_([this, process, deadline](kj::Exception&& failure) -> kj::Promise<ProcessRecord> {
-        if (failure.getType() != Type::DISCONNECTED) return kj::mv(failure);
+      .catch_([=, this](kj::Exception&& failure) -> kj::Promise<ProcessRecord> {
         const Duration left = deadline - now();
+        if (failure.getType() != Type::DISCONNECTED) {
+          const bool mayAskAgain = now() >= answered && left > Duration{0};
+          if (!mayAskAgain) return kj::mv(failure);
+          return resolve(process, left);
+        }
         if (left <= Duration{0}) return gone("find process '" + process + "'");
         return control_.timer()
             .afterDelay(rpc::toKj(std::min(left, kPause)))

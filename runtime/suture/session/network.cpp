@@ -29,6 +29,8 @@ auto run(rpc::ControlThread& control, Duration deadline, Work work) {
 }
 
 constexpr Duration kLocalWork = std::chrono::seconds(10);
+// Is longer than anybody waits, and short enough to be added to a time.
+constexpr Duration kLongestPatience = std::chrono::hours(24 * 365);
 // A start that takes longer than this says what it waits for.
 constexpr Duration kLongWait = std::chrono::seconds(2);
 
@@ -58,6 +60,7 @@ class Network::Impl {
       : directory_(directory), managers_(rpc::parseAddresses(managerAddress)), security_(security) {
     rpc::requireKeys(managers_.front(), security_.trust());
     try {
+      patience = std::min(patience, kLongestPatience);
       run(control_, patience + kLocalWork,
           [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf), patience]() mutable {
             return join(std::move(serverOf), std::move(taskOf), patience);
@@ -92,9 +95,10 @@ class Network::Impl {
     });
   }
 
-  void connect(RequiredBase& required, Endpoint from, Endpoint to, const ConnectOptions& options,
+  void connect(RequiredBase& required, Endpoint from, Endpoint to, ConnectOptions options,
                DelayThread* delays, std::shared_ptr<ConnectionWatch> watch) {
     const std::string name = from.toString();
+    options.patience = std::min(options.patience, kLongestPatience);
     if (from.process.empty()) from.process = directory_.process();
     if (to.process.empty()) to.process = directory_.process();
     run(control_, options.patience + kLocalWork, [=, this, &required] {

@@ -4,12 +4,16 @@
 #include <suture/component/channel/channel.h>
 #include <suture/wiring/connect.h>
 
+#include <type_traits>
+#include <utility>
+
 #include "unit/component/arm_client.h"
 #include "unit/component/driven_arm.h"
 
 namespace suture {
 namespace {
 
+using namespace std::chrono_literals;
 using reference::ArmLike;
 using reference::Mode;
 
@@ -88,6 +92,20 @@ TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
       EXPECT_GT(held, before);
     }
   }
+}
+
+template <class Call>
+concept PollsATemporary = requires(Call&& call) {
+  std::move(call).poll();
+};
+
+TEST(Call, GivesItsAnswerAwayIfNobodyKeepsTheCall) {
+  ArmClient client;
+  const auto& answer = client.arm.hold.start().within(1ms);
+  EXPECT_EQ(answer.error(), Errc::NotConnected);
+  using Hold = decltype(client.arm.hold.start());
+  static_assert(!std::is_reference_v<decltype(std::declval<Hold>().within())>);
+  static_assert(!PollsATemporary<Hold>, "the answer would be gone before it is looked at");
 }
 
 TEST(Call, ItsHandlerHearsThatTheProviderEnds) {

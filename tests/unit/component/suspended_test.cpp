@@ -61,7 +61,8 @@ TEST(Suspended, EarlierCommandsAreAnsweredAndNotExecuted) {
   task.start();
   task.trigger();
   task.request(Transition::Suspend);
-  EXPECT_FALSE(client.arm.hold.start().poll()) << "it is still running";
+  auto held = client.arm.hold.start();
+  EXPECT_FALSE(held.poll()) << "it is still running";
   EXPECT_TRUE(task.trigger()) << "the last cycle, which executes what came before it";
   EXPECT_EQ(task.state(), State::Suspended);
   EXPECT_EQ(channel->commands.counters.executed, 1u);

@@ -124,7 +124,7 @@ bool Calls::cancel(PendingCall& call) {
 }
 
 void Calls::waitFor(PendingCall& call, Duration limit) {
-  sleepUntil(attachment_.owner(), now() + limit, [&] { return isDone(call); });
+  sleepUntil(attachment_.owner(), fromNow(limit), [&] { return isDone(call); });
 }
 
 void Calls::follow(PendingCall& call, PendingCall::Follower follower) {

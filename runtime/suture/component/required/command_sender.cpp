@@ -71,7 +71,7 @@ Result<std::uint32_t> CommandSender::roomWithin(std::uint16_t command, Duration 
     if (found == 0) error = whyNotAwaited(command);
     return found != 0 || error != Errc{};
   };
-  if (!over()) sleepUntil(attachment_.owner(), now() + limit, over);
+  if (!over()) sleepUntil(attachment_.owner(), fromNow(limit), over);
   if (found != 0) return found;
   return tl::unexpected(error != Errc{} ? error : Errc::Timeout);
 }

@@ -149,7 +149,7 @@ Errc Subscriptions::waitFor(AwaitedEvent& event, Duration limit) {
   Component& owner = attachment_.owner();
   if (owner.ownedByAnotherThread()) return Errc::WrongThread;
   if (handling_) return Errc::CannotWait;
-  sleepUntil(owner, now() + limit, [&] {
+  sleepUntil(owner, fromNow(limit), [&] {
     const std::size_t handled = handleArrivals();
     const bool over = event.over();
     if (handled > (over ? 1u : 0u)) handledInWait_ = true;

@@ -8,7 +8,7 @@ namespace suture {
 // Another caller may have begun the attempt with less patience, so its failure is not this one's.
 kj::Promise<std::shared_ptr<PeerSession>> Sessions::open(const std::string& process,
                                                          Duration patience, Duration limit) {
-  const Time until = now() + patience;
+  const Time until = fromNow(patience);
   Known& known = known_[process];
   auto opened = known.session.get([&] {
     known.until = until;
