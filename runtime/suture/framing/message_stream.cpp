@@ -244,11 +244,15 @@ ssize_t MessageStream::sendSome() {
   return count;
 }
 
+// The loop flushes outside of all promises, so an exception that left from here would end the
+// process; a failure ends this stream alone.
 // Moves the unsent bytes only when at least as many have been sent, so that no byte is moved twice.
 void MessageStream::awaitRoom() {
   if (outgoingBegin_ >= outgoing_.size() / 2) discardSent();
+  KJ_IF_MAYBE (failure, kj::runCatchingExceptions([this] { observeRoom(); })) {
+    return fail(kj::mv(*failure));
+  }
   awaitingRoom_ = true;
-  if (writeObserver_ == nullptr) writeObserver_ = kj::heap<WriteObserver>(port_, bytes_.socket());
   roomTask_ = KJ_ASSERT_NONNULL(writeObserver_)
                   ->whenWritable()
                   .then([this] {
@@ -256,6 +260,10 @@ void MessageStream::awaitRoom() {
                     port_.flushBeforeSleep(*this);
                   })
                   .eagerlyEvaluate([this](kj::Exception&& e) { fail(kj::mv(e)); });
+}
+
+void MessageStream::observeRoom() {
+  if (writeObserver_ == nullptr) writeObserver_ = kj::heap<WriteObserver>(port_, bytes_.socket());
 }
 
 void MessageStream::discardSent() {

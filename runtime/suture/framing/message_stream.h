@@ -98,6 +98,7 @@ class MessageStream final : private EventPort::Output {
   void flush() override;
   ssize_t sendSome();
   void awaitRoom();
+  void observeRoom();
   void discardSent();
   void drained();
   void fail(kj::Exception exception);

@@ -4,6 +4,11 @@
 #include <fcntl.h>
 #include <kj/io.h>
 #include <suture/loop/event_port.h>
+#include <suture/loop/failure.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
 
 namespace suture::rpc {
 
@@ -13,14 +18,23 @@ namespace suture::rpc {
 /// with the socket, not after it.
 class WriteObserver {
  public:
+  /// Throws kj::Exception if the process has no descriptor for it.
   WriteObserver(EventPort& port, int socket)
-      : duplicate_(fcntl(socket, F_DUPFD_CLOEXEC, 0)),
+      : duplicate_(duplicateOf(socket)),
         observer_(port, duplicate_, EventPort::FdObserver::OBSERVE_WRITE) {}
 
   /// Call it only when a send has just said that the socket is full.
   kj::Promise<void> whenWritable() { return observer_.whenBecomesWritable(); }
 
  private:
+  static kj::AutoCloseFd duplicateOf(int socket) {
+    const int duplicate = fcntl(socket, F_DUPFD_CLOEXEC, 0);
+    if (duplicate >= 0) return kj::AutoCloseFd(duplicate);
+    kj::throwFatalException(disconnected(std::string("cannot wait until a full socket has room: ") +
+                                         std::strerror(errno) +
+                                         ". Raise the limit of open files (ulimit -n)."));
+  }
+
   kj::AutoCloseFd duplicate_;
   EventPort::FdObserver observer_;
 };

@@ -6,7 +6,6 @@
 #include <suture/framing/link_server.h>
 #include <suture/loop/failure.h>
 #include <suture/net/dialer.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -21,6 +20,7 @@
 #include "echo_server.h"
 #include "socket_pair.h"
 #include "support/contains.h"
+#include "support/no_more_descriptors.h"
 #include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
@@ -213,27 +213,6 @@ TEST_P(LinkTest, FurtherPeersBeyondTheLimitAreClosed) {
   EXPECT_TRUE(closes(port_, refused));
   EXPECT_EQ(echo(links[1]->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
 }
-
-/// Leaves this process no descriptor more than it has.
-class NoMoreDescriptors {
- public:
-  NoMoreDescriptors() {
-    getrlimit(RLIMIT_NOFILE, &before_);
-    const kj::AutoCloseFd next(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-    setLimit(static_cast<rlim_t>(next.get()));
-  }
-  ~NoMoreDescriptors() { setLimit(before_.rlim_cur); }
-  NoMoreDescriptors(const NoMoreDescriptors&) = delete;
-  NoMoreDescriptors& operator=(const NoMoreDescriptors&) = delete;
-
- private:
-  void setLimit(rlim_t most) const {
-    const rlimit limit{most, before_.rlim_max};
-    setrlimit(RLIMIT_NOFILE, &limit);
-  }
-
-  rlimit before_{};
-};
 
 TEST_P(LinkTest, APeerWithoutADescriptorWaits) {
 #if defined(SUTURE_ADDRESS_SANITIZER)

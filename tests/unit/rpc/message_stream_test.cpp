@@ -1,6 +1,7 @@
 // The stream under test holds one end of a socket pair; the test plays the peer on the other.
 
 #include <gtest/gtest.h>
+#include <suture/base/sanitizers.h>
 #include <suture/base/time.h>
 #include <suture/framing/message_stream.h>
 #include <suture/framing/preamble.h>
@@ -12,6 +13,7 @@
 
 #include "socket_pair.h"
 #include "support/contains.h"
+#include "support/no_more_descriptors.h"
 #include "support/patience.h"
 #include "support/refusal.h"
 #include "support/resources.h"
@@ -360,6 +362,25 @@ TEST_F(MessageStreamTest, AStuckPeersCostIsBounded) {
   } catch (const kj::Exception& e) {
     EXPECT_EQ(describe(e), "the peer does not take what is sent");
   }
+}
+
+// The stream needs a descriptor to learn when a full socket takes bytes again.
+TEST_F(MessageStreamTest, AFullSocketWithoutADescriptorEndsNothingElse) {
+#if defined(SUTURE_ADDRESS_SANITIZER)
+  GTEST_SKIP() << "UBSan itself takes a descriptor to look at an object";
+#endif
+  auto pair = makeSocketPair();
+  fill(pair.ours);
+  MessageStream stream(port_, kj::mv(pair.ours));
+  auto reading = bounded(stream.read());
+  EXPECT_FALSE(reading.poll(port_.scope()));
+  const NoMoreDescriptors limit;
+  capnp::MallocMessageBuilder message;
+  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(8);
+  stream.write(message.getSegmentsForOutput());
+  EXPECT_TRUE(reading.wait(port_.scope()) == nullptr);
+  const std::string failure = refusal([&] { stream.end().wait(port_.scope()); });
+  EXPECT_TRUE(contains(failure, "Too many open files")) << failure;
 }
 
 TEST_F(MessageStreamTest, APeerThatOnlyStopsReadingIsGone) {

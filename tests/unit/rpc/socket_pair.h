@@ -44,6 +44,13 @@ inline void sendAll(int socket, std::span<const std::byte> bytes) {
   }
 }
 
+/// Leaves no room in a non-blocking socket.
+inline void fill(int socket) {
+  const std::byte bytes[4096]{};
+  while (send(socket, bytes, sizeof(bytes), MSG_NOSIGNAL) > 0) {
+  }
+}
+
 inline void sendText(int socket, const std::string& text) {
   sendAll(socket, std::as_bytes(std::span(text)));
 }
