@@ -35,7 +35,8 @@ interface Peer {
   # this answers; 0: none. components: those whose tasks every answer tells of, in this order, from this one on; null: as before.
 
   open @4 (component :Text, interface :Text) -> OpenResults;
-  # A provided interface as its plain typed capability, for programs that know only its schema.
+  # A provided interface as its plain typed capability, for programs that know only its schema. Whoever drops the capability lets go of
+  # the interface: its subscription ends then.
   struct OpenResults {
     union {
       contract @0 :Capability;

@@ -71,7 +71,10 @@ class RefusedEvents : public testing::Test {
     });
   }
   ~RefusedEvents() noexcept override {
-    client_.run(kPatience, [this] { link_ = nullptr; });
+    client_.run(kPatience, [this] {
+      contract_ = nullptr;
+      link_ = nullptr;
+    });
   }
 
   kj::Promise<void> subscribe(kj::AutoCloseFd socket) {
@@ -92,7 +95,8 @@ class RefusedEvents : public testing::Test {
           request.setEvents(kj::heap<RefusingSubscriber>(sent_));
           request.setEventMask(~std::uint64_t{0});
           request.setStateMask(~std::uint64_t{0});
-          return request.send().ignoreResult().attach(kj::mv(arm));
+          contract_ = kj::mv(arm);  // without it there is no subscription
+          return request.send().ignoreResult();
         });
   }
 
@@ -103,6 +107,7 @@ class RefusedEvents : public testing::Test {
   Manager there_{"there", names_.address()};
   Sent sent_;
   kj::Own<rpc::Link> link_;
+  kj::Maybe<reference::wire::ArmLike::Client> contract_;
 };
 
 TEST_F(RefusedEvents, AreLostAlone) {

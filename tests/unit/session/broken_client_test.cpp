@@ -58,6 +58,10 @@ class Client : public reference::PlayedClient {
     for (std::size_t i = 0; i < times; ++i) refused = openArm();
     return refused;
   }
+  /// Drops all that it has opened.
+  void letGo() {
+    control_.run(kPatience, [this] { opened_.clear(); });
+  }
   /// Returns why the arm is not connected by calls on a socket of that number.
   std::string connect(std::uint32_t socket) {
     return control_.run(kPatience, [&] {
@@ -147,6 +151,18 @@ TEST_F(BrokenClient, NeverLetsGoOfWhatItOpens) {
   EXPECT_EQ(client.openArm(1),
             "use 'robot:PSM/Arm': this process has been given 1024 interfaces, and none is given "
             "more. Let go of some.");
+}
+
+// It has only the capability to let go of, which tells by itself that nobody uses the interface.
+TEST_F(BrokenClient, MayOpenAsOftenAsItLetsGo) {
+  Client client(manager());
+  client.greet();
+  for (int lap = 0; lap < 1100; ++lap) {
+    ASSERT_EQ(client.openArm(1), "") << lap;
+    client.letGo();
+  }
+  client.watch(0);  // the process looks then which connections are over
+  EXPECT_TRUE(eventually([&] { return robot->channels().empty(); })) << robot->channels().size();
 }
 
 }  // namespace

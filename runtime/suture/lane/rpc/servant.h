@@ -10,10 +10,12 @@
 namespace suture::rpc {
 
 /// Belongs to the control thread. Passes calls of the contract, and of those that it derives from,
-/// to `port`.
+/// to `port`. Ends the connection when the last client drops the capability, because without it a
+/// connection carries nothing, and a plain client has nothing else to let go of.
 class Servant final : public capnp::Capability::Server {
  public:
   explicit Servant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+  ~Servant() noexcept(false) { port_->close(); }
 
   DispatchCallResult dispatchCall(std::uint64_t interface, std::uint16_t method,
                                   AnyCall call) override;
