@@ -4,7 +4,10 @@
 #include <suture/calls.capnp.h>
 #include <suture/loop/failure.h>
 #include <suture/names/records.h>
+#include <suture/shm.capnp.h>
+#include <suture/wiring/memory_layout.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -20,9 +23,12 @@ namespace {
 
 class Client : public reference::PlayedClient {
  public:
-  explicit Client(const std::string& manager) : PlayedClient(manager, "robot") {}
+  explicit Client(const std::string& manager, const std::string& process = "robot")
+      : PlayedClient(manager, process) {}
   ~Client() {
     control_.run(kPatience, [this] {
+      asked_.clear();
+      bells_.clear();
       link_ = nullptr;
       opened_.clear();
     });
@@ -57,6 +63,63 @@ class Client : public reference::PlayedClient {
     std::string refused;
     for (std::size_t i = 0; i < times; ++i) refused = openArm();
     return refused;
+  }
+  /// Opens the arm so often at once, and awaits no answer.
+  void askForArm(std::size_t times) {
+    control_.run(kPatience, [this, times] {
+      wire::Peer::Client robot = peer();
+      for (std::size_t i = 0; i < times; ++i) {
+        auto request = robot.openRequest();
+        request.setComponent("PSM");
+        request.setInterface("Arm");
+        asked_.push_back(request.send().then([this](auto&& results) {
+          if (results.isContract()) opened_.push_back(results.getContract());
+          return results.isContract();
+        }));
+      }
+      return robot.pingRequest().send().ignoreResult();
+    });
+  }
+  /// Connects to the arm so often by shared memory, and keeps back the bells that the process
+  /// needs.
+  void askForSharedArm(std::size_t times) {
+    control_.run(kPatience, [this, times] {
+      wire::Peer::Client robot = peer();
+      for (std::size_t i = 0; i < times; ++i) {
+        auto request = robot.connectRequest();
+        reference::askForArm(request, "test");
+        request.setDescription("");
+        request.setLane("shm");
+        auto shared = request.initBrings().initAs<wire::SharedRequest>();
+        shared.setLayout(memoryLayout(interfaceInfo<reference::ArmLike>()).c_str());
+        auto bell = kj::newPromiseAndFulfiller<wire::SharedMemory::Client>();
+        shared.setBell(kj::mv(bell.promise));
+        bells_.push_back(kj::mv(bell.fulfiller));
+        asked_.push_back(request.send().then([](auto&& results) { return results.isAccepted(); }));
+      }
+      return robot.pingRequest().send().ignoreResult();
+    });
+  }
+  /// Gives the process no bell after all.
+  void withholdBells() {
+    control_.run(kPatience, [this] {
+      for (auto& bell : bells_) bell->reject(rpc::disconnected("there is no bell"));
+    });
+  }
+  /// Awaits what it asked for no longer.
+  void giveUp() {
+    control_.run(kPatience, [this] { asked_.clear(); });
+  }
+  /// Returns how much of what it asked for it has been given.
+  std::size_t given() {
+    return control_.run(kPatience, [this] {
+      auto asked = kj::heapArrayBuilder<kj::Promise<bool>>(asked_.size());
+      for (auto& one : asked_) asked.add(kj::mv(one));
+      asked_.clear();
+      return kj::joinPromises(asked.finish()).then([](kj::Array<bool> answers) {
+        return static_cast<std::size_t>(std::count(answers.begin(), answers.end(), true));
+      });
+    });
   }
   /// Drops all that it has opened.
   void letGo() {
@@ -102,12 +165,20 @@ class Client : public reference::PlayedClient {
   }
 
   kj::Own<rpc::Link> link_;
+  std::vector<kj::Promise<bool>> asked_;
+  std::vector<kj::Own<kj::PromiseFulfiller<wire::SharedMemory::Client>>> bells_;
   std::vector<capnp::Capability::Client> opened_;
 };
 
 class BrokenClient : public RemoteArm {
  protected:
   void SetUp() override { begin("tcp://127.0.0.1:0"); }
+};
+
+/// Is on the same machine.
+class BrokenNeighbour : public RemoteArm {
+ protected:
+  void SetUp() override { begin(unixAddress()); }
 };
 
 TEST_F(BrokenClient, WatchesMoreThanItCanBeConnectedTo) {
@@ -151,6 +222,36 @@ TEST_F(BrokenClient, NeverLetsGoOfWhatItOpens) {
   EXPECT_EQ(client.openArm(1),
             "use 'robot:PSM/Arm': this process has been given 1024 interfaces, and none is given "
             "more. Let go of some.");
+}
+
+// What waits for the start of the process is given all at once.
+TEST_F(BrokenClient, OpensTooMuchBeforeTheProcessHasStarted) {
+  Manager starting("starting", manager());
+  Client client(manager(), "starting");
+  client.greet();
+  client.askForArm(1100);
+  starting.add("PSM", psmAgain);
+  starting.start();
+  EXPECT_EQ(client.given(), 1024u);
+}
+
+TEST_F(BrokenNeighbour, ConnectsTooOftenAtTheSameTime) {
+  Client client(manager());
+  client.greet();
+  client.askForSharedArm(1024);
+  EXPECT_TRUE(contains(client.openArm(1), "has been given 1024 interfaces"));
+  client.withholdBells();
+  EXPECT_EQ(client.given(), 0u);
+  EXPECT_EQ(client.openArm(1), "") << "those that were declined take no place";
+}
+
+// A client that comes back to a process that is slow to start asks anew again and again.
+TEST_F(BrokenNeighbour, MayConnectAsOftenAsItGivesUp) {
+  Client client(manager());
+  client.greet();
+  client.askForSharedArm(1024);
+  client.giveUp();
+  EXPECT_EQ(client.openArm(1), "");
 }
 
 // It has only the capability to let go of, which tells by itself that nobody uses the interface.

@@ -60,7 +60,7 @@ kj::Promise<AcceptedEnd> CallsServer::accept(IncomingConnection connection,
   if (found == sockets_.end()) return failure(Type::FAILED, "the session's calls have ended");
   // A client that gave up waiting for the answer never asks for the contract.
   std::erase_if(*found->second.contracts, [](const auto& one) {
-    return one.second.channel->status == ChannelStatus::Closed;
+    return one.second.channel->status == ChannelStatus::Closed || !one.second.port->isShared();
   });
   auto channel = callsChannel(session_.control(), connection);
   auto port = serveCalls(session_.control(), connection, channel, found->second.link->counters());

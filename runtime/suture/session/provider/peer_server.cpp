@@ -46,10 +46,13 @@ class ConnectionServer final : public wire::Connection::Server {
 }  // namespace
 
 PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
-    : host_(host), caller_(std::move(caller)), leases_(host.control_, state_) {}
+    : host_(host),
+      caller_(std::move(caller)),
+      interfaces_(kMostConnections),
+      leases_(host.control_, state_) {}
 
 PeerServer::~PeerServer() noexcept(false) {
-  for (AcceptedEnd& held : held_) {
+  for (Held& held : held_) {
     host_.forget(*held.end);
     held.end->close();
   }
@@ -93,7 +96,7 @@ kj::Promise<void> PeerServer::ping(PingContext context) {
     for (const auto name : in.getComponents()) watched_.push_back(stringOf(name));
   }
   forgetEnded();
-  for (AcceptedEnd& held : held_) held.end->tellEarlier();
+  for (Held& held : held_) held.end->tellEarlier();
   putTasks(results);
   results.setSent(leases_.answer());
   return kj::READY_NOW;
@@ -150,7 +153,7 @@ std::optional<Refusal> PeerServer::whyNotProcess(const std::string& name) const 
 std::optional<Refusal> PeerServer::whyNotGiven(const Endpoint& endpoint) {
   const rpc::PeerIdentity& who = caller_->identity;
   forgetEnded();
-  if (held_.size() == kMostConnections) {
+  if (!interfaces_.anyFree()) {
     return Refusal{Kind::LIMIT_REACHED, "use '" + endpoint.toString() +
                                             "': this process has been given " +
                                             std::to_string(kMostConnections) +
@@ -176,9 +179,10 @@ kj::Promise<void> PeerServer::connect(ConnectContext context) {
     return kj::READY_NOW;
   }
   caller_->known = true;
+  context.allowCancellation();  // a client that gives up and asks anew takes one place
   return whenThere(
-      [this, context, endpoint]() mutable {
-        return decide(host_.directory_.provided(endpoint), endpoint, context);
+      [this, context, endpoint, place = interfaces_.take()]() mutable {
+        return decide(host_.directory_.provided(endpoint), endpoint, context, place);
       },
       [this, context](const Refusal& refusal) mutable {
         refuse(refusal, context.getResults().initRefused());
@@ -191,10 +195,11 @@ struct PeerServer::Asked {
   IncomingConnection connection;
   Match match;
   ConnectContext context;
+  Places::Place place;
 };
 
 kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& endpoint,
-                                     ConnectContext& context) {
+                                     ConnectContext& context, Places::Place place) {
   auto in = context.getParams();
   const Endpoint client{stringOf(in.getFromProcess()), stringOf(in.getFromComponent()),
                         stringOf(in.getRequired())};
@@ -217,7 +222,8 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
                           .peer = state_,
                           .silence = silenceIn(in)},
            .match = match,
-           .context = context});
+           .context = context,
+           .place = std::move(place)});
     }
     return kj::READY_NOW;
   } catch (const SetupError& error) {
@@ -282,7 +288,7 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   host_.keepLedger(asked.connection.terms.name, incarnation_, ledger);
   ledger->begin(accepted.channel, incarnation_);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
-  keep(kj::addRef(end), accepted.channel);
+  keep({kj::addRef(end), accepted.channel, asked.place});
   if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
   auto out = context.getResults().getAccepted();
   out.setLacking(kj::arrayPtr(asked.match.lacking.data(), asked.match.lacking.size()));
@@ -292,13 +298,13 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   attach(asked.connection.provided, std::move(accepted.channel));
 }
 
-void PeerServer::keep(kj::Own<rpc::ProviderEnd> end, std::shared_ptr<Channel> channel) {
-  leases_.watch(*end);
-  held_.push_back({kj::mv(end), std::move(channel)});
+void PeerServer::keep(Held held) {
+  leases_.watch(*held.end);
+  held_.push_back(kj::mv(held));
 }
 
 void PeerServer::forgetEnded() {
-  const std::size_t ended = std::erase_if(held_, [this](const AcceptedEnd& held) {
+  const std::size_t ended = std::erase_if(held_, [this](const Held& held) {
     const bool over = held.channel->status == ChannelStatus::Closed;
     if (over) host_.forget(*held.end);
     return over;
@@ -344,8 +350,9 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
     return kj::READY_NOW;
   }
   caller_->known = true;
+  context.allowCancellation();  // a client that gives up and asks anew takes one place
   return whenThere(
-      [this, context, endpoint]() mutable -> kj::Promise<void> {
+      [this, context, endpoint, place = interfaces_.take()]() mutable -> kj::Promise<void> {
         ProvidedBase& provided = host_.directory_.provided(endpoint);
         const std::string name = "(a plain client) -> " + endpoint.toString();
         const IncomingConnection connection{.provided = provided,
@@ -356,7 +363,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
                                             .readOnly = mayOnlyRead(endpoint)};
         auto channel = rpc::callsChannel(host_.control_, connection);
         auto port = rpc::serveCalls(host_.control_, connection, channel, caller_->counters);
-        keep(kj::addRef(*port), channel);
+        keep({kj::addRef(*port), channel, place});
         attach(provided, std::move(channel));
         context.getResults().setContract(kj::heap<rpc::Servant>(kj::mv(port)));
         return kj::READY_NOW;

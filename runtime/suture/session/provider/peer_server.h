@@ -5,6 +5,7 @@
 #include <suture/names/records.h>
 #include <suture/session/provider/client_leases.h>
 #include <suture/session/provider/peer_host.h>
+#include <suture/session/provider/places.h>
 
 #include <map>
 #include <optional>
@@ -31,6 +32,12 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
 
  private:
   struct Asked;
+  /// Is a connection, or what a plain client has opened.
+  struct Held {
+    kj::Own<rpc::ProviderEnd> end;
+    std::shared_ptr<Channel> channel;
+    Places::Place place;
+  };
 
   rpc::ControlThread& control() override { return host_.control_; }
 
@@ -41,7 +48,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
 
   Endpoint endpointOf(capnp::Text::Reader component, capnp::Text::Reader interface) const;
   kj::Promise<void> decide(ProvidedBase& provided, const Endpoint& endpoint,
-                           ConnectContext& context);
+                           ConnectContext& context, Places::Place place);
   bool takesOver(const std::string& client, const std::string& name, ConnectContext& context);
   /// Makes the connection by the lane that was asked for, or declines it.
   kj::Promise<void> accept(const Asked& asked);
@@ -50,7 +57,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   LaneServer* laneNamed(const std::string& name);
   kj::Promise<LaneServer*> whenLane(const std::string& name);
   void awaitSocket(LaneServer& lane, SocketContext& context);
-  void keep(kj::Own<rpc::ProviderEnd> end, std::shared_ptr<Channel> channel);
+  void keep(Held held);
   void forgetEnded();
   void putTasks(wire::Peer::PingResults::Builder results) const;
   void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
@@ -67,7 +74,8 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   std::uint64_t incarnation_ = 0;  // likewise
   const std::shared_ptr<PeerState> state_ = std::make_shared<PeerState>();  // the peer's
   std::vector<std::string> watched_;  // components that it gets reports of
-  std::vector<AcceptedEnd> held_;     // connections, and what plain clients have opened
+  Places interfaces_;                 // taken from the question on, because an answer may take long
+  std::vector<Held> held_;
   ClientLeases leases_;
   std::map<std::string, kj::Own<LaneServer>> lanes_;
   std::map<std::uint32_t, kj::Own<AwaitedSockets::Awaiting>> sockets_;  // by number
