@@ -30,18 +30,19 @@ void askForArm(Request& request, const char* from) {
   request.setLane("rpc");
 }
 
-/// The session's socket for calls: its number, and what ends it when it goes.
-struct CallsSocket {
+/// A second socket of a session: its number, and what ends it when it goes.
+struct SecondSocket {
   std::uint32_t number;
   suture::rpc::ByteStream bytes;
 };
 
 /// Opens it, on the thread of `port`. `provider` is where the process of `peer` listens.
-inline kj::Promise<CallsSocket> openCallsSocket(suture::rpc::EventPort& port,
-                                                suture::rpc::Address provider,
-                                                suture::wire::Peer::Client peer) {
+inline kj::Promise<SecondSocket> openSecondSocket(suture::rpc::EventPort& port,
+                                                  suture::rpc::Address provider,
+                                                  suture::wire::Peer::Client peer,
+                                                  const char* lane = "rpc") {
   auto request = peer.socketRequest();
-  request.setLane("rpc");
+  request.setLane(lane);
   return request.send().then([&port, provider](auto&& results) {
     suture::rpc::Token token;
     KJ_ASSERT(results.getToken().size() == token.size());
@@ -51,7 +52,7 @@ inline kj::Promise<CallsSocket> openCallsSocket(suture::rpc::EventPort& port,
           return suture::rpc::exchangeToken(port, suture::rpc::ByteStream(kj::mv(socket)), token);
         })
         .then([number = results.getNumber()](suture::rpc::ByteStream bytes) {
-          return CallsSocket{number, kj::mv(bytes)};
+          return SecondSocket{number, kj::mv(bytes)};
         });
   });
 }

@@ -93,9 +93,8 @@ kj::Promise<void> LinkServer::open(ByteStream bytes, Room room) {
 kj::Promise<void> LinkServer::serve(ByteStream bytes, std::span<const std::byte> begun, Room room) {
   auto caller = std::make_shared<Caller>();
   caller->identity = bytes.peer();
-  StrangerGuard guard{
-      .known = {caller, &caller->known},
-      .share = std::make_unique<ReceiveBudget::Share>(budget_, caller->identity.text())};
+  caller->budget = budget_;
+  StrangerGuard guard{.known = {caller, &caller->known}, .share = caller->share()};
   auto stream = kj::heap<MessageStream>(port_, kj::mv(bytes), limits_, begun, std::move(guard));
   caller->counters = stream->counters();
   auto link = kj::heap<Link>(kj::mv(stream), Side::SERVER, offerTo(caller, room));

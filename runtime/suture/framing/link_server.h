@@ -16,9 +16,15 @@ namespace suture::rpc {
 struct Caller {
   PeerIdentity identity;
   std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports
+  std::shared_ptr<ReceiveBudget> budget;         ///< of the server
   /// Is set by the code that serves the peer, once the peer has said what it wants. A link on which
   /// this stays false is closed after StreamLimits::helloMilliseconds.
   bool known = false;
+
+  /// Returns what one more stream of the peer counts its unfinished messages by.
+  std::unique_ptr<ReceiveBudget::Share> share() const {
+    return std::make_unique<ReceiveBudget::Share>(budget, identity.text());
+  }
 };
 
 /// Adds `text` to `refusals`, and returns a capability for the peer on which every call fails with

@@ -8,6 +8,7 @@
 #include <kj/async.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/provided.h>
+#include <suture/framing/receive_budget.h>
 #include <suture/lane/client_end.h>
 #include <suture/lane/provider_end.h>
 #include <suture/loop/control_thread.h>
@@ -23,6 +24,8 @@ namespace suture {
 struct LaneSocket {
   std::uint32_t number = 0;  ///< its number in both processes
   rpc::ByteStream bytes;
+  /// Counts unfinished messages of the peer; null: it was called, or the lane bounds them itself.
+  std::unique_ptr<rpc::ReceiveBudget::Share> share = nullptr;
 };
 
 /// Is what a lane may use of a session, in the client's process.
@@ -84,6 +87,8 @@ class LaneClient {
 class ServerSession {
  public:
   virtual rpc::ControlThread& control() = 0;
+  /// Tells the operator of this process why a socket of the peer was closed.
+  virtual void cutOff(const std::string& why) = 0;
 
  protected:
   ~ServerSession() = default;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <utility>
 
 namespace suture::tls {
 class Session;
@@ -26,6 +27,9 @@ class ByteStream {
   ByteStream(kj::AutoCloseFd socket);  // NOLINT(google-explicit-constructor): it is one
   ByteStream(ByteStream&& other) noexcept;
   ~ByteStream();
+
+  /// Keeps `what` until the socket is closed.
+  void attach(std::shared_ptr<void> what) { attached_ = std::move(what); }
 
   /// Returns the socket for event ports to wait on.
   int socket() const { return socket_; }
@@ -49,6 +53,7 @@ class ByteStream {
   kj::Exception lost(int error) const;
 
  private:
+  std::shared_ptr<void> attached_;  // first: it goes after the socket
   kj::AutoCloseFd socket_;
   std::unique_ptr<tls::Session> session_;
 };

@@ -114,9 +114,9 @@ class Caller {
     hello.setIncarnation(incarnation_);
     return hello.send()
         .then([this, peer](auto&&) mutable {
-          return reference::openCallsSocket(control_.port(), provider_, peer);
+          return reference::openSecondSocket(control_.port(), provider_, peer);
         })
-        .then([this](reference::CallsSocket socket) { calls_ = kj::mv(socket); });
+        .then([this](reference::SecondSocket socket) { calls_ = kj::mv(socket); });
   }
 
   kj::Promise<std::string> ask(std::int64_t epoch, Lane lane) {
@@ -146,7 +146,7 @@ class Caller {
   const rpc::Address provider_;
   rpc::ControlThread control_;
   kj::Own<rpc::Link> link_;
-  kj::Maybe<reference::CallsSocket> calls_;
+  kj::Maybe<reference::SecondSocket> calls_;
   kj::Vector<wire::Connection::Client> held_;
 };
 

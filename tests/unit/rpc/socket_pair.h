@@ -32,6 +32,7 @@ inline SocketPair makeSocketPair() {
   return {kj::AutoCloseFd(ends[0]), kj::AutoCloseFd(ends[1])};
 }
 
+/// Stops if the connection ends.
 inline void sendAll(int socket, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t count = send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -39,7 +40,7 @@ inline void sendAll(int socket, std::span<const std::byte> bytes) {
       bytes = bytes.subspan(static_cast<std::size_t>(count));
     } else {
       pollfd writable{socket, POLLOUT, 0};
-      if (poll(&writable, 1, 5000) <= 0) return;
+      if (errno != EAGAIN || poll(&writable, 1, 5000) <= 0) return;
     }
   }
 }

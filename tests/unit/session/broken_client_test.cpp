@@ -44,7 +44,7 @@ class Client : public reference::PlayedClient {
   }
   void openSocket() {
     control_.run(kPatience, [this] {
-      return reference::openCallsSocket(control_.port(), provider(), peer()).ignoreResult();
+      return reference::openSecondSocket(control_.port(), provider(), peer()).ignoreResult();
     });
   }
   /// Shows a token that it was not given.
@@ -139,8 +139,8 @@ class Client : public reference::PlayedClient {
   /// Asks on a socket for a connection of that number.
   void askForContract(std::uint32_t connection) {
     control_.run(kPatience, [&] {
-      return reference::openCallsSocket(control_.port(), provider(), peer())
-          .then([this, connection](reference::CallsSocket socket) {
+      return reference::openSecondSocket(control_.port(), provider(), peer())
+          .then([this, connection](reference::SecondSocket socket) {
             auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(socket.bytes));
             link_ = kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
             auto request = link_->bootstrap<wire::Calls>().contractRequest();

@@ -2,6 +2,7 @@
 #include <suture/lane/rpc/servant.h>
 #include <suture/loop/failure.h>
 
+#include <span>
 #include <string>
 #include <utility>
 
@@ -70,17 +71,20 @@ kj::Promise<AcceptedEnd> CallsServer::accept(IncomingConnection connection,
   return AcceptedEnd{kj::mv(port), std::move(channel)};
 }
 
-// A session has at most this many connections, and each needs one socket at most.
 void CallsServer::opened(LaneSocket socket) {
-  constexpr std::size_t kMostSockets = 1024;
-  if (sockets_.size() == kMostSockets) return;
   const std::uint32_t number = socket.number;
   auto contracts = std::make_shared<Contracts>();
-  auto link = kj::heap<Link>(
-      kj::heap<MessageStream>(session_.control().port(), kj::mv(socket.bytes)),
-      capnp::rpc::twoparty::Side::SERVER, wire::Calls::Client(kj::heap<Bootstrap>(contracts)));
+  StrangerGuard guard{.known = nullptr, .share = std::move(socket.share)};
+  auto stream =
+      kj::heap<MessageStream>(session_.control().port(), kj::mv(socket.bytes), StreamLimits{},
+                              std::span<const std::byte>(), std::move(guard));
+  auto link = kj::heap<Link>(kj::mv(stream), capnp::rpc::twoparty::Side::SERVER,
+                             wire::Calls::Client(kj::heap<Bootstrap>(contracts)));
   sockets_.emplace(number, Socket{std::move(contracts), link.get()});
-  auto ended = link->onDisconnect().then([this, number] { sockets_.erase(number); });
+  auto ended = link->onDisconnect().then([this, number, &one = *link] {
+    if (!one.refusal().empty()) session_.cutOff(one.refusal());
+    sockets_.erase(number);
+  });
   tasks_.add(ended.attach(kj::mv(link)));
 }
 

@@ -6,6 +6,9 @@ namespace {
 
 constexpr std::size_t kMostCallers = 1024;
 
+// A session has one for each lane that needs it, and one for each connection of large values.
+constexpr std::size_t kMostSecondSockets = 1024;
+
 // Peers choose the names, so the sums of connections that are over are dropped beyond that many.
 constexpr std::size_t kMostAccounts = 1024;
 
@@ -22,6 +25,7 @@ PeerHost::PeerHost(rpc::ControlThread& control, const Lanes& lanes, const Direct
       incarnation_(incarnation),
       policy_(security.policy),
       whenPublished_(nullptr),
+      secondSockets_(kMostSecondSockets),
       refusals_(directory.process()),
       server_(
           control.port(), address,

@@ -9,6 +9,7 @@
 #include <suture/peer.capnp.h>
 #include <suture/session/network.h>
 #include <suture/session/provider/awaited_sockets.h>
+#include <suture/session/provider/places.h>
 #include <suture/wiring/directory.h>
 
 #include <cstdint>
@@ -91,6 +92,7 @@ class PeerHost {
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Channel>> served_;
   AwaitedSockets sockets_;
+  Places secondSockets_;  // of all sessions, those that are awaited included
   rpc::Refusals refusals_;
   rpc::LinkServer server_;  // last: its links use the rest
 };

@@ -324,22 +324,38 @@ kj::Promise<void> PeerServer::socket(SocketContext context) {
     return rpc::failure(Type::FAILED, "a second connection is for whoever has said hello");
   }
   return whenLane(stringOf(context.getParams().getLane()))
-      .then([this, context](LaneServer* lane) mutable { awaitSocket(*lane, context); });
+      .then([this, context](LaneServer* lane) mutable { return awaitSocket(*lane, context); });
 }
 
-void PeerServer::awaitSocket(LaneServer& lane, SocketContext& context) {
+kj::Promise<void> PeerServer::awaitSocket(LaneServer& lane, SocketContext& context) {
   // A client gives up a socket that does not come, and asks for another.
   if (sockets_.size() == kMostAwaitedSockets) sockets_.erase(sockets_.begin());
+  Places& places = host_.secondSockets_;
+  if (!places.anyFree()) {
+    const std::string why = "open a second connection to process '" + host_.directory_.process() +
+                            "': it has " + std::to_string(places.most()) +
+                            " of them, and no process has more. End some of its peers.";
+    host_.refusals_.add(caller_->identity.text(), why);
+    return rpc::failure(Type::FAILED, why);
+  }
   const std::uint32_t number = ++latestSocket_;
-  auto awaiting =
-      host_.sockets_.await(caller_->identity, [this, &lane, number](rpc::ByteStream bytes) {
+  auto awaiting = host_.sockets_.await(
+      caller_->identity,
+      [this, &lane, number, place = places.take()](rpc::ByteStream bytes) mutable {
         sockets_.erase(number);
-        lane.opened({number, kj::mv(bytes)});
+        bytes.attach(std::move(place));
+        lane.opened({number, kj::mv(bytes), caller_->share()});
       });
   context.getResults().setNumber(number);
   context.getResults().setToken(
       {reinterpret_cast<const kj::byte*>(awaiting->token().data()), awaiting->token().size()});
   sockets_.emplace(number, kj::mv(awaiting));
+  return kj::READY_NOW;
+}
+
+void PeerServer::cutOff(const std::string& why) {
+  host_.refusals_.add(caller_->identity.text(),
+                      "talk to process '" + host_.directory_.process() + "': " + why);
 }
 
 kj::Promise<void> PeerServer::open(OpenContext context) {

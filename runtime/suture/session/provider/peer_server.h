@@ -40,6 +40,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   };
 
   rpc::ControlThread& control() override { return host_.control_; }
+  void cutOff(const std::string& why) override;
 
   /// Returns what `attempt()` does. If that throws SetupError, calls it once more when the process
   /// has published, and `refuse(refusal)` if it throws again.
@@ -56,7 +57,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   /// Returns the lane of that name in this session; nullptr: this process has no such lane.
   LaneServer* laneNamed(const std::string& name);
   kj::Promise<LaneServer*> whenLane(const std::string& name);
-  void awaitSocket(LaneServer& lane, SocketContext& context);
+  kj::Promise<void> awaitSocket(LaneServer& lane, SocketContext& context);
   void keep(Held held);
   void forgetEnded();
   void putTasks(wire::Peer::PingResults::Builder results) const;

@@ -1,0 +1,89 @@
+// What a client costs by the second sockets that it opens is bounded.
+
+#include <gtest/gtest.h>
+#include <suture/loop/failure.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/connect_request.h"
+#include "reference/played_client.h"
+#include "reference/remote_arm.h"
+#include "support/contains.h"
+#include "support/refusal.h"
+#include "unit/rpc/socket_pair.h"
+
+namespace suture {
+namespace {
+
+class SocketOpener : public reference::PlayedClient {
+ public:
+  explicit SocketOpener(const std::string& manager) : PlayedClient(manager, "robot") { greet(); }
+
+  rpc::ByteStream open(const char* lane = "rpc") {
+    return control_.run(kPatience, [this, lane] {
+      return reference::openSecondSocket(control_.port(), provider(), peer(), lane)
+          .then([](reference::SecondSocket socket) { return kj::mv(socket.bytes); });
+    });
+  }
+  std::vector<rpc::ByteStream> open(std::size_t count) {
+    std::vector<rpc::ByteStream> sockets;
+    while (sockets.size() < count) sockets.push_back(open());
+    return sockets;
+  }
+};
+
+/// Has both ends of each socket in this process.
+struct SecondSockets : RemoteArm {
+  void SetUp() override {
+    rlimit limit{};
+    getrlimit(RLIMIT_NOFILE, &limit);
+    limit.rlim_cur = std::min<rlim_t>(std::max<rlim_t>(limit.rlim_cur, 4096), limit.rlim_max);
+    setrlimit(RLIMIT_NOFILE, &limit);
+    begin("tcp://127.0.0.1:0");
+  }
+};
+
+/// Is most of a message of 16 MiB.
+std::vector<std::byte> begunMessage() {
+  std::vector<std::byte> begun(15u << 20, std::byte{0});
+  const std::uint32_t words = (16u << 20) / 8 - 2;
+  std::memcpy(begun.data() + 4, &words, sizeof(words));
+  return begun;
+}
+
+// A slow machine may take so long that a message that has begun is refused for that; then try anew.
+TEST_F(SecondSockets, UnfinishedMessagesAreBoundedInSum) {
+  SocketOpener client(manager());
+  const std::vector<std::byte> begun = begunMessage();
+  EXPECT_TRUE(eventually([&] {
+    const std::vector<rpc::ByteStream> greedy = client.open(5);
+    for (const rpc::ByteStream& one : greedy) rpc::sendAll(one.socket(), begun);
+    return contains(robot->refusals().latest, "would need more than 67108864 bytes");
+  })) << robot->refusals().latest;
+}
+
+TEST_F(SecondSockets, OfAllSessionsAreBounded) {
+  SocketOpener first(manager()), second(manager());
+  std::vector<rpc::ByteStream> held = first.open(1000);
+  const std::vector<rpc::ByteStream> more = second.open(24);
+  const std::string refused = refusal([&] { second.open(); });
+  EXPECT_TRUE(contains(refused, "it has 1024 of them, and no process has more")) << refused;
+  EXPECT_TRUE(contains(robot->refusals().latest, refused)) << robot->refusals().latest;
+  held.clear();
+  EXPECT_TRUE(eventually([&] { return refusal([&] { second.open(); }).empty(); }));
+}
+
+// A lane of frames keeps only the latest socket of a session, and one that has connections.
+TEST_F(SecondSockets, TakeNoPlaceWhenTheirLaneHasDroppedThem) {
+  SocketOpener client(manager());
+  for (int i = 0; i < 1100; ++i) client.open("frame");
+}
+
+}  // namespace
+}  // namespace suture
