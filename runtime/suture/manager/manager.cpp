@@ -274,7 +274,8 @@ void Manager::connect(RequiredBase& required, const Endpoint& from, std::string_
                                  (to.process.empty() ? process() + ":" : "") + to.toString();
   if (const auto existing = connectionOf(from.toString()); existing != nullptr) {
     throw SetupError("connecting " + connection, "it is already connected: " + existing->name(),
-                     "A required interface has one provider; add another required interface");
+                     "A required interface has one provider; disconnect() it first, or add another "
+                     "required interface");
   }
   requireSilenceThatCanBeTold(options.contract, connection);
   if (options.delay.any()) DelayThread::requireBounded(required.info());
