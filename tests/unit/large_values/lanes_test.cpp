@@ -2,27 +2,20 @@
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
-#include <suture/lane/frame/frame_lane.h>
 #include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
 
-#include <algorithm>
-#include <memory>
-#include <string>
-
 #include "support/eventually.h"
 #include "support/patience.h"
 #include "support/temporary_directory.h"
+#include "unit/large_values/lanes.h"
 #include "unit/large_values/museum.h"
 
 namespace large_values {
 namespace {
 
 using suture::eventually, suture::Lane;
-
-/// This is `frame` as between builds that differ.
-constexpr Lane kEncoded{"frame-encoded"};
 
 /// Emits the picture that was hung last once more in each cycle.
 struct Exhibition final : WallTask {
@@ -33,10 +26,7 @@ struct Exhibition final : WallTask {
 class LargeValuesBy : public testing::TestWithParam<Lane> {
  protected:
   LargeValuesBy() {
-    for (suture::Manager* const one : {&museum_, &town_}) {
-      one->addLane(std::make_unique<suture::frame::FrameLane>(kEncoded.name.data(),
-                                                              suture::frame::Form::Encoded));
-    }
+    for (suture::Manager* const one : {&museum_, &town_}) addEncodedLane(*one);
     museum_.add("Wall", wall_);
     museum_.start();
     town_.add("Visitor", visitor_);
@@ -56,12 +46,6 @@ class LargeValuesBy : public testing::TestWithParam<Lane> {
   const suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   suture::Manager museum_{"museum", names_.address()}, town_{"town", names_.address()};
 };
-
-std::string nameOf(const testing::TestParamInfo<Lane>& lane) {
-  std::string name = toString(lane.param);
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
 
 INSTANTIATE_TEST_SUITE_P(EachLane, LargeValuesBy,
                          testing::Values(Lane::Shm, Lane::Frame, kEncoded, Lane::Rpc), nameOf);

@@ -68,6 +68,16 @@ bool ClientCarrier::begin(const rt::CommandRecord& record) {
   return true;
 }
 
+void ClientCarrier::refuse(const rt::CommandRecord& record, Errc error) {
+  const std::uint16_t number = record.command;
+  const bool usedCredit = usesCredit(channel_.info.commands[number], record.call);
+  replyError(record.call, error);
+  rt::increment(channel_.commands.counters.refused);
+  commandSent();
+  if (usedCredit) credits(number, 1);
+  ringClient();
+}
+
 std::optional<std::uint16_t> ClientCarrier::commandOf(std::uint32_t call) const {
   const Call& place = calls_[call % calls_.size()];
   if (call == 0 || place.number != call) return std::nullopt;

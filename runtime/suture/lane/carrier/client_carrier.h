@@ -42,6 +42,8 @@ class ClientCarrier {
   void give();
   /// Call it when the wire has sent the command that it got.
   void commandSent() { channel_.commands.pop(); }
+  /// Call it instead if the wire cannot send that command; the provider will never know of it.
+  void refuse(const rt::CommandRecord& command, Errc error);
 
   // --- from the provider
 

@@ -89,11 +89,13 @@ void ClientSide::send(const Interest& interest) {
 }
 
 void ClientSide::send(const rt::CommandRecord& command) {
+  const auto arguments = payloads_->pack({Kind::Command, command.command}, command.arguments());
+  if (!fits(arguments)) return carrier_.refuse(command, Errc::TooLarge);
   sendValue({.kind = Kind::Command,
              .number = command.command,
              .call = command.call,
              .stamp = toNanoseconds(command.stamp)},
-            payloads_->pack({Kind::Command, command.command}, command.arguments()));
+            arguments);
 }
 
 }  // namespace suture::frame

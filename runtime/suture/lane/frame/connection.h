@@ -64,6 +64,10 @@ class Connection {
   /// Called when the whole payload that sendValue() got has been sent, in a frame of this kind.
   virtual void letGo(Kind kind) = 0;
 
+  /// Returns true if the other end takes a payload of that size, which it bounds as this end does.
+  bool fits(std::span<const std::byte> payload) const {
+    return payload.size() <= payloads_->limit();
+  }
   bool hasRoom() const { return rest_.empty() && mayGoOn(); }
   /// Call it only if hasRoom(). No payload may be larger than kMostPayload.
   void sendFrame(Header header, std::span<const std::byte> payload = {});

@@ -94,11 +94,14 @@ void ProviderSide::sendRefusals() {
 
 void ProviderSide::send(const ReplyRecord& reply) {
   std::span<const std::byte> result;
-  if (reply.error == Errc{}) {
-    result = payloads_->pack({Kind::Reply, reply.command}, reply.result());
+  Errc error = reply.error;
+  if (error == Errc{}) result = payloads_->pack({Kind::Reply, reply.command}, reply.result());
+  if (!fits(result)) {
+    error = Errc::TooLarge;
+    result = {};
   }
   sendValue({.kind = Kind::Reply,
-             .error = static_cast<std::uint8_t>(reply.error),
+             .error = static_cast<std::uint8_t>(error),
              .call = reply.call,
              .stamp = toNanoseconds(reply.stamp)},
             result);
@@ -113,11 +116,16 @@ void ProviderSide::send(const Tally& tally) {
 }
 
 void ProviderSide::send(const rt::EventRecord& event, std::uint32_t subscription) {
+  const auto payload = payloads_->pack({Kind::Event, event.event}, event.payload());
+  if (!fits(payload)) {
+    channel_->events.countDropped();
+    return carrier_.eventSent();
+  }
   sendValue({.kind = Kind::Event,
              .number = numberAt(channel_->info.wireEvents, event.event),
              .call = subscription,
              .stamp = toNanoseconds(event.stamp)},
-            payloads_->pack({Kind::Event, event.event}, event.payload()));
+            payload);
 }
 
 bool ProviderSide::sendRow(rt::ColumnSet columns, std::uint64_t& last) {
@@ -126,10 +134,15 @@ bool ProviderSide::sendRow(rt::ColumnSet columns, std::uint64_t& last) {
     row_.begin(payloads_->slotsOf(columns), columns);
   }
   if (!row_.go()) return true;
-  const rt::StateTable::Row& row = row_.row();
+  rt::StateTable::Row row = row_.row();
   last = row.sequence;
   if (!row.any()) return false;
-  sendValue({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)}, payloads_->packRow(row));
+  auto values = payloads_->packRow(row);
+  if (!fits(values)) {
+    row.tooLarge |= std::exchange(row.valid, 0);
+    values = payloads_->packRow(row);
+  }
+  sendValue({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)}, values);
   return false;
 }
 

@@ -48,14 +48,15 @@ class Payloads {
 
   /// Returns the size of the largest payload of this process, in bytes.
   virtual std::size_t own() const = 0;
-  /// Returns the size of the largest that may come; a peer's values may be larger than ours.
+  /// Returns the size of the largest that may come or go; a peer's values may be larger than ours.
   virtual std::size_t limit() const = 0;
 
-  /// Returns what to send; it is valid until the next call.
+  /// Returns what to send, unless it is beyond the limit(); it is valid until the next call.
   virtual std::span<const std::byte> pack(ValueName name, const std::byte* slot) = 0;
   /// Returns where packRow() wants the values of `columns`; null: it does not want that column.
   virtual std::span<std::byte* const> slotsOf(rt::ColumnSet columns) = 0;
-  /// Returns what to send of a row whose values have been put there.
+  /// Returns what to send of a row whose values have been put there, unless it is beyond the
+  /// limit().
   virtual std::span<const std::byte> packRow(const rt::StateTable::Row& row) = 0;
 
   /// Reads what has come, and may change it. `shift` is added to stamps of the peer's steady clock
