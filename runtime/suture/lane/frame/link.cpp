@@ -48,8 +48,9 @@ void Link::turn() {
   socket_.flush();
   if (socket_.broken()) breakAll();
   std::erase_if(connections_, [this](const auto& one) {
-    if (one->over()) surplus_.giveBack(one->surplus());
-    return one->over();
+    const bool over = one->over();  // asked once, because any thread may end it in between
+    if (over) surplus_.giveBack(one->surplus());
+    return over;
   });
 }
 

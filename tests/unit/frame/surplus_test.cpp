@@ -1,0 +1,99 @@
+// What connections have taken beyond their contracts comes back to their link when they end.
+#include <gtest/gtest.h>
+#include <suture/lane/frame/bytes/frame_writer.h>
+#include <suture/lane/frame/bytes/surplus.h>
+#include <suture/lane/frame/link.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <atomic>
+#include <cstring>
+#include <memory>
+#include <thread>
+
+#include "reference/played_channel.h"
+#include "support/repetitions.h"
+#include "support/test_thread.h"
+#include "unit/frame/sides.h"
+#include "unit/rpc/socket_pair.h"
+
+namespace suture::frame {
+namespace {
+
+/// Has a link, and a peer whose values are as large as may be.
+class Growing {
+ public:
+  /// Adds a connection, and returns what is gone when its end has been noticed.
+  std::weak_ptr<Connection> add() {
+    channel->status = ChannelStatus::Connected;
+    const auto side = makeSide<ClientSide>(channel, ++number_, Form::Encoded);
+    link.join(side);
+    return side;
+  }
+  /// The peer sends a piece for the latest connection, which the link takes.
+  void grow() {
+    const Header header{.kind = Kind::Piece,
+                        .number = static_cast<std::uint16_t>(Kind::Event),
+                        .call = 16u << 20,
+                        .connection = number_};
+    std::memset(writer_.begin(header, kMostPayload), 0, kMostPayload);
+    writer_.finish();
+    rpc::sendAll(sockets_.theirs, writer_.unsent());
+    writer_.sent(writer_.unsent().size());
+    std::array<char, 4096> heard;
+    while (recv(sockets_.theirs, heard.data(), heard.size(), MSG_DONTWAIT) > 0) continue;
+    link.arrived();
+    link.turn();
+  }
+  /// Returns how many pieces the link takes until it has no more room for them.
+  int room() {
+    constexpr int kMost = 255;  // of one value
+    for (int pieces = 0;; ++pieces) {
+      if (pieces % kMost == 0) add();
+      grow();
+      if (link.broken()) return pieces;
+    }
+  }
+
+ private:
+  rpc::SocketPair sockets_ = rpc::makeSocketPair();
+  FrameWriter writer_{1};
+  std::uint32_t number_ = 0;
+
+ public:
+  const std::shared_ptr<Channel> channel = reference::armChannel(reference::playedEnds(), "frame");
+  Link link{rpc::ByteStream(kj::mv(sockets_.ours)), 1};
+};
+
+TEST(Surplus, IsBoundedForAllConnectionsOfALink) {
+  const int room = Growing().room();
+  EXPECT_GE(room, static_cast<int>(Surplus::kMost / kMostPayload));
+  EXPECT_LT(room, static_cast<int>(Surplus::kMost / kMostPayload) + 10);
+}
+
+// The thread that ends a connection does so at any moment of a turn.
+TEST(Surplus, ComesBackWheneverItsConnectionEnds) {
+  Growing growing;
+  std::atomic<int> round{0};
+  std::atomic<bool> done{false};
+  TestThread control([&] {
+    for (int seen = 0; !done; ++seen) {
+      while (round == seen && !done) std::this_thread::yield();
+      for (std::atomic<int> moment = seen % 199; moment > 0; --moment) {
+      }
+      growing.channel->status = ChannelStatus::Closed;
+    }
+  });
+  for (int lap = 1; lap <= repetitions(1'000); ++lap) {
+    const auto connection = growing.add();
+    growing.grow();
+    round = lap;
+    while (!connection.expired()) growing.link.turn();
+  }
+  done = true;
+  control.join();
+  EXPECT_EQ(growing.room(), Growing().room());
+}
+
+}  // namespace
+}  // namespace suture::frame
