@@ -268,7 +268,11 @@ std::vector<WireValue> argumentValues(const model::Command& command) {
 }
 
 std::vector<WireValue> resultValues(const model::Command& command) {
-  return {{.type = *command.result, .wireName = "value", .slot = "slot", .isNeeded = true}};
+  return {{.type = *command.result,
+           .wireName = "value",
+           .slot = "slot",
+           .range = command.resultRange,
+           .isNeeded = true}};
 }
 
 std::vector<WireValue> payloadValues(const model::Event& event) {

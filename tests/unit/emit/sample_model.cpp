@@ -364,7 +364,9 @@ model::Interface names() {
   name.result = scalar(Scalar::Bool);
   model::Event latched = event("latched", {number()});
   latched.latched = true;
-  result.commands = {queue, name, read("range", number())};
+  model::Command range = read("range", number());
+  range.resultRange = {{0, 1}};
+  result.commands = {queue, name, range};
   result.events = {latched};
   return result;
 }

@@ -23,7 +23,7 @@ class SUTURE_INTERFACE() Names {
  public:
   SUTURE_COMMAND(queue(4)) virtual void queue(std::int32_t name) = 0;
   SUTURE_COMMAND(name("title")) virtual bool name(double range, double slot, double store) = 0;
-  SUTURE_COMMAND() virtual double range() const = 0;
+  SUTURE_COMMAND() SUTURE_FIELD(range(0, 1)) virtual double range() const = 0;
   SUTURE_EVENT(latched()) suture::EventOf<double> latched;
 };
 

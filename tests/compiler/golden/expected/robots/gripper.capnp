@@ -61,7 +61,8 @@ interface Names @0xa213f67f20043abb $Meta.cxx("robots::Names") {
   queue @1 (name :Int32, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(4);
   title @2 (range :Float64, slot :Float64, store :Float64, sent :Rpc.Sent) -> (value :Bool)
       $Meta.cxx("name") $Meta.kind("writeReturn") $Meta.queue(16);
-  range @3 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64) $Meta.kind("read");
+  range @3 (sent :Rpc.Sent) -> (value :Float64 $Meta.range(lowest = 0, highest = 1), stamp :Int64)
+      $Meta.kind("read");
 }
 
 interface NamesEvents @0xf43423c9c422881d $Meta.eventsOf("robots::Names") {
@@ -81,5 +82,5 @@ struct NamesStateRow @0x87faafafa7e923b7 $Meta.stateOf("robots::Names") {
   # Bit i: column i was evaluated.
   tooLarge @2 :UInt64;
   # Bit i: column i did not fit its declared capacity.
-  range @3 :Float64;
+  range @3 :Float64 $Meta.range(lowest = 0, highest = 1);
 }

@@ -249,7 +249,10 @@ bool acceptsNamesTitle(const NamesNameArguments& slot, suture::FieldPath* path) 
   return isValid(slot.store) || suture::refusedAt(path, "store");
 }
 
-bool acceptsNamesRangeResult(const double& slot, suture::FieldPath*) { return isValid(slot); }
+bool acceptsNamesRangeResult(const double& slot, suture::FieldPath*) {
+  return suture::inRange(slot, 0, 1);
+}
+
 bool acceptsNamesLatchedEvent(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
 constexpr suture::CommandInfo kNamesCommands[] = {
@@ -287,13 +290,13 @@ constexpr char kNamesDescription[] = R"json(
 "name": "name", "kind": "write with return", "ordinal": 2, "wire": "title", "parameters": [{
 "name": "range", "type": {"kind": "Float64"}}, {"name": "slot", "type": {"kind": "Float64"}}, {
 "name": "store", "type": {"kind": "Float64"}}], "result": {"type": {"kind": "Bool"}}, "queue": 16},
-{"name": "range", "kind": "read", "ordinal": 3, "result": {"type": {"kind": "Float64"}}, "queue": 16
-}], "events": [{"name": "latched", "kind": "write", "ordinal": 1, "payload": {"type": {
-"kind": "Float64"}}, "queue": 16, "latched": true}], "enums": [], "structs": [], "wire": [{
-"id": "@0xa213f67f20043abb", "kind": "interface", "name": "Names", "cxx": "robots::Names",
-"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
-"is": "@0xf43423c9c422881d"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
-"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "queue", "is": "kind \"write\"",
+{"name": "range", "kind": "read", "ordinal": 3, "result": {"type": {"kind": "Float64"}, "range": [
+0.0, 1.0]}, "queue": 16}], "events": [{"name": "latched", "kind": "write", "ordinal": 1,
+"payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true}], "enums": [],
+"structs": [], "wire": [{"id": "@0xa213f67f20043abb", "kind": "interface", "name": "Names",
+"cxx": "robots::Names", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xf43423c9c422881d"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "queue", "is": "kind \"write\"",
 "parameters": [{"at": 0, "name": "name", "is": "Int32"}, {"at": 1, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "title", "is": "kind \"writeReturn\"",
 "parameters": [{"at": 0, "name": "range", "is": "Float64"}, {"at": 1, "name": "slot",

@@ -214,7 +214,7 @@ class Required<robots::Names> : public RequiredBase {
   Command<&Contract::queue, robots::NamesQueueArguments> queue{*this, Id::queue};
   /// Write with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::name, robots::NamesNameArguments, std::uint8_t> name{*this, Id::name};
-  /// Read: answered at once with what the last cycle left.
+  /// Read: answered at once with what the last cycle left. The answer is from 0 to 1.
   ReadCommand<&Contract::range, double> range{*this, Id::range};
 
   /// Subscribes to the events of robots::Names.
