@@ -17,7 +17,7 @@ namespace suture::compiler::lock {
 namespace {
 
 constexpr std::string_view kMeta = "Meta.";
-constexpr unsigned kDeepestType = 64;             // capnp's readers follow no deeper
+constexpr unsigned kDeepest = 64;                 // capnp's readers follow no deeper
 constexpr std::uint64_t kLargestOrdinal = 65534;  // capnp counts in 16 bits
 
 class Parser {
@@ -145,7 +145,8 @@ class Parser {
   }
 
   /// Returns a number, a name, a string or a list of them.
-  std::string value() {
+  std::string value(unsigned depth = 0) {
+    if (depth > kDeepest) throw SyntaxError(peek().line, "a value is nested too deeply");
     if (!accept("[")) {
       const Token literal = take();
       const char first = literal.text.front();
@@ -154,8 +155,8 @@ class Parser {
       }
       throw SyntaxError(literal.line, "expected a value, found '" + literal.text + "'");
     }
-    std::string text = "[" + value();
-    while (accept(",")) text += ", " + value();
+    std::string text = "[" + value(depth + 1);
+    while (accept(",")) text += ", " + value(depth + 1);
     expect("]");
     return text + "]";
   }
@@ -201,7 +202,7 @@ class Parser {
   /// Returns the type with the alias resolved: "List(/arm/arm.capnp:Pose)" for "List(Arm.Pose)".
   std::string type(unsigned depth = 0) {
     const Token name = take();
-    if (depth > kDeepestType) throw SyntaxError(name.line, "a type is nested too deeply");
+    if (depth > kDeepest) throw SyntaxError(name.line, "a type is nested too deeply");
     const char first = name.text.empty() ? '\0' : name.text.front();
     if (std::isalpha(static_cast<unsigned char>(first)) == 0) {
       throw SyntaxError(name.line, "expected a type, found '" + name.text + "'");

@@ -44,6 +44,20 @@ TEST(DeepLock, IsRefusedBeforeTheStackEnds) {
   EXPECT_NE(found[0].message.find("nested too deeply"), std::string::npos);
 }
 
+TEST(DeepLock, AValueIsRefusedBeforeTheStackEnds) {
+  Diagnostics found;
+  const std::string deep(400'000, '[');
+  read({{"a.capnp",
+         "@0x8000000000000001;\nstruct A @0x8000000000000002 {\n  x @0 :Text "
+         "$Meta.capacity(" +
+             deep}},
+       found);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].source.line, 3u);
+  EXPECT_NE(found[0].message.find("a value is nested too deeply"), std::string::npos)
+      << found[0].message;
+}
+
 #define HEAD "@0x8000000000000001;\n"
 INSTANTIATE_TEST_SUITE_P(
     Lock, BadLocks,
