@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 
@@ -22,11 +23,11 @@ class Depth {
   explicit Depth(const model::Lookup& lookup) : lookup_(lookup) {}
 
   unsigned of(const model::Struct& type) {
-    if (!open_.insert(type.name).second) return 0;
+    const auto [known, isNew] = depths_.emplace(type.name, 0);
+    if (!isNew) return known->second;
     unsigned deepest = 0;
     for (const model::Field& field : type.fields) deepest = std::max(deepest, of(field.type));
-    open_.erase(type.name);
-    return deepest + 1;
+    return known->second = deepest + 1;
   }
 
  private:
@@ -41,7 +42,7 @@ class Depth {
   }
 
   const model::Lookup& lookup_;
-  std::set<std::string> open_;
+  std::map<std::string, unsigned> depths_;  // zero for a struct that is being looked into
 };
 
 /// Tells if a value may hold another of its own type; then its bounds do not bound it.

@@ -20,10 +20,11 @@ class Walk {
       if (!from({element, place.path + "[]", place.field})) return false;
     }
     const model::Struct* type = isStruct ? lookup_.findStruct(place.type.name) : nullptr;
-    if (!type || place.recursive) return true;
+    if (!type || place.recursive || done_.contains(type->name)) return true;
     open_.insert(type->name);
     const bool whole = fields(*type, place.path);
     open_.erase(type->name);
+    done_.insert(type->name);
     return whole;
   }
 
@@ -39,6 +40,9 @@ class Walk {
   const model::Lookup& lookup_;
   const std::function<bool(const Place&)>& visit_;
   std::set<std::string> open_;
+  // Each level of a type may have several members of the next, so that to enter a struct by each
+  // way there is takes time that doubles with every level.
+  std::set<std::string> done_;
 };
 
 }  // namespace

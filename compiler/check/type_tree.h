@@ -24,7 +24,8 @@ bool isSized(const model::Type& type);
 bool isOpen(const model::Type& type);
 
 /// Calls `visit` for the type and all it holds, outside in, until `visit` returns false; then
-/// walk() returns false itself.
+/// walk() returns false itself. It enters each struct by the first way there, since what that holds
+/// is the same by any other.
 bool walk(const model::Type& type, const model::Lookup& lookup,
           const std::function<bool(const Place&)>& visit);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <unordered_map>
 
 namespace suture::compiler::model {
 namespace {
@@ -31,55 +33,67 @@ std::uint64_t scalarSize(Scalar scalar) {
   }
 }
 
-std::uint64_t structSize(const Struct* type, const Lookup& lookup) {
-  std::uint64_t size = 0;
-  if (!type) return size;
-  for (const Field& field : type->fields) size = plus(size, flatSize(field.type, lookup));
-  return size;
-}
+/// Counts each struct once, because a type may lead to it by very many ways.
+class Sizes {
+ public:
+  explicit Sizes(const Lookup& lookup) : lookup_(lookup) {}
 
-std::uint64_t sumOf(const Type& type, const Lookup& lookup) {
-  std::uint64_t size = 0;
-  for (const Type& element : type.element) size = plus(size, flatSize(element, lookup));
-  return size;
-}
-
-std::uint64_t largestOf(const Type& type, const Lookup& lookup) {
-  std::uint64_t size = 0;
-  for (const Type& element : type.element) {
-    size = std::max(size, flatSize(element, lookup));
+  std::uint64_t of(const Type& type) {
+    constexpr std::uint64_t kLength = 4;
+    switch (type.shape) {
+      case Shape::Scalar: return scalarSize(type.scalar);
+      case Shape::Enum: return 8;
+      case Shape::Struct: return ofStruct(type.name);
+      case Shape::Text: return plus(kLength, type.capacity.value_or(0));
+      case Shape::Array: return times(type.rows, of(type.element.front()));
+      case Shape::List:
+      case Shape::Map: return plus(kLength, times(type.capacity.value_or(0), sumOf(type)));
+      case Shape::Matrix: return times(times(type.rows, type.columns), scalarSize(type.scalar));
+      case Shape::Quaternion: return 32;
+      case Shape::Isometry:
+      case Shape::Affine: return 96;
+      case Shape::Duration:
+      case Shape::TimePoint: return 8;
+      case Shape::Optional: return plus(1, sumOf(type));
+      case Shape::Tuple: return sumOf(type);
+      case Shape::Variant: return plus(kLength, largestOf(type));
+      case Shape::Nothing: return 1;
+      case Shape::AnyMatrix:
+        return plus(2 * kLength,
+                    times(times(type.capacity.value_or(0), type.columnCapacity.value_or(0)),
+                          scalarSize(type.scalar)));
+    }
+    return 0;
   }
-  return size;
-}
+
+ private:
+  std::uint64_t ofStruct(const std::string& name) {
+    if (const auto known = structs_.find(name); known != structs_.end()) return known->second;
+    std::uint64_t size = 0;
+    if (const Struct* const type = lookup_.findStruct(name)) {
+      for (const Field& field : type->fields) size = plus(size, of(field.type));
+    }
+    return structs_[name] = size;
+  }
+
+  std::uint64_t sumOf(const Type& type) {
+    std::uint64_t size = 0;
+    for (const Type& element : type.element) size = plus(size, of(element));
+    return size;
+  }
+
+  std::uint64_t largestOf(const Type& type) {
+    std::uint64_t size = 0;
+    for (const Type& element : type.element) size = std::max(size, of(element));
+    return size;
+  }
+
+  const Lookup& lookup_;
+  std::unordered_map<std::string, std::uint64_t> structs_;
+};
 
 }  // namespace
 
-std::uint64_t flatSize(const Type& type, const Lookup& lookup) {
-  constexpr std::uint64_t kLength = 4;
-  switch (type.shape) {
-    case Shape::Scalar: return scalarSize(type.scalar);
-    case Shape::Enum: return 8;
-    case Shape::Struct: return structSize(lookup.findStruct(type.name), lookup);
-    case Shape::Text: return plus(kLength, type.capacity.value_or(0));
-    case Shape::Array: return times(type.rows, flatSize(type.element.front(), lookup));
-    case Shape::List:
-    case Shape::Map: return plus(kLength, times(type.capacity.value_or(0), sumOf(type, lookup)));
-    case Shape::Matrix: return times(times(type.rows, type.columns), scalarSize(type.scalar));
-    case Shape::Quaternion: return 32;
-    case Shape::Isometry:
-    case Shape::Affine: return 96;
-    case Shape::Duration:
-    case Shape::TimePoint: return 8;
-    case Shape::Optional: return plus(1, sumOf(type, lookup));
-    case Shape::Tuple: return sumOf(type, lookup);
-    case Shape::Variant: return plus(kLength, largestOf(type, lookup));
-    case Shape::Nothing: return 1;
-    case Shape::AnyMatrix:
-      return plus(2 * kLength,
-                  times(times(type.capacity.value_or(0), type.columnCapacity.value_or(0)),
-                        scalarSize(type.scalar)));
-  }
-  return 0;
-}
+std::uint64_t flatSize(const Type& type, const Lookup& lookup) { return Sizes(lookup).of(type); }
 
 }  // namespace suture::compiler::model

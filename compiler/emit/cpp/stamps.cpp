@@ -13,17 +13,29 @@ bool isStamp(const Type& type) {
   return type.shape == Shape::TimePoint && type.clock == model::Clock::Steady;
 }
 
-/// Looks for stamps in whatever a type holds.
-bool holdsStamps(const Type& type, const model::Lookup& lookup) {
-  if (isStamp(type)) return true;
-  const auto holds = [&](const Type& element) { return holdsStamps(element, lookup); };
-  if (type.shape == Shape::Struct) {
-    const auto& fields = lookup.findStruct(type.name)->fields;
-    return std::any_of(fields.begin(), fields.end(),
-                       [&](const model::Field& field) { return holds(field.type); });
+/// Looks for stamps in whatever a type holds, in each struct once.
+class Stamps {
+ public:
+  explicit Stamps(const model::Lookup& lookup) : lookup_(lookup) {}
+
+  bool areIn(const Type& type) {
+    if (isStamp(type)) return true;
+    if (type.shape == Shape::Struct) return areInStruct(type.name);
+    return std::any_of(type.element.begin(), type.element.end(),
+                       [this](const Type& element) { return areIn(element); });
   }
-  return std::any_of(type.element.begin(), type.element.end(), holds);
-}
+
+ private:
+  bool areInStruct(const std::string& name) {
+    if (!seen_.insert(name).second) return false;  // a first one would have ended the search
+    const auto& fields = lookup_.findStruct(name)->fields;
+    return std::any_of(fields.begin(), fields.end(),
+                       [this](const model::Field& field) { return areIn(field.type); });
+  }
+
+  const model::Lookup& lookup_;
+  std::set<std::string> seen_;
+};
 
 /// Spells the signature for a source, which says "using suture::Duration".
 std::string signature(const std::string& function, const std::string& slot) {
@@ -109,7 +121,7 @@ void emitFunction(Code& code, const std::string& signature, const std::vector<Wi
 }  // namespace
 
 bool hasStamps(const Type& type, const model::Lookup& lookup) {
-  return isBounded(type, lookup) && holdsStamps(type, lookup);
+  return isBounded(type, lookup) && Stamps(lookup).areIn(type);
 }
 
 bool hasStamps(const std::vector<WireValue>& values, const model::Lookup& lookup) {
@@ -117,7 +129,7 @@ bool hasStamps(const std::vector<WireValue>& values, const model::Lookup& lookup
     return isBounded(value.type, lookup);
   });
   return bounded && std::any_of(values.begin(), values.end(), [&](const WireValue& value) {
-           return holdsStamps(value.type, lookup);
+           return Stamps(lookup).areIn(value.type);
          });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "compiler/emit/text/code.h"
@@ -140,17 +141,17 @@ std::string changeField(const model::Struct& owner, const model::Field& field,
 
 namespace {
 
-/// Walks into structs, of which `open` are those that are being walked through.
+/// Walks into each struct once; one that is being walked through leads back to itself.
 class Bounds {
  public:
   explicit Bounds(const model::Lookup& lookup) : lookup_(lookup) {}
 
   bool all(const model::Struct& record) {
-    if (!open_.insert(record.name).second) return false;
-    const bool bounded = std::all_of(record.fields.begin(), record.fields.end(),
-                                     [this](const model::Field& field) { return all(field.type); });
-    open_.erase(record.name);
-    return bounded;
+    const auto [known, isNew] = bounded_.emplace(record.name, false);
+    if (!isNew) return known->second;
+    return known->second =
+               std::all_of(record.fields.begin(), record.fields.end(),
+                           [this](const model::Field& field) { return all(field.type); });
   }
 
   bool all(const Type& type) {
@@ -166,7 +167,7 @@ class Bounds {
 
  private:
   const model::Lookup& lookup_;
-  std::set<std::string> open_;
+  std::map<std::string, bool> bounded_;  // false for those that are being walked through
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "compiler/lock/schema/wanted.h"
 
@@ -130,25 +132,47 @@ bool hasOwnParameters(const model::Interface& interface) {
   return false;
 }
 
+namespace {
+
+/// Looks into each struct once.
+class Reserves {
+ public:
+  explicit Reserves(const model::Lookup& lookup) : lookup_(lookup) {}
+
+  bool any(const model::Struct& declaration) {
+    if (!seen_.insert(declaration.name).second) return false;
+    return std::any_of(declaration.fields.begin(), declaration.fields.end(),
+                       [this](const model::Field& field) { return any(field.type); });
+  }
+
+  bool any(const model::Type& type) {
+    using Shape = model::Type::Shape;
+    switch (type.shape) {
+      case Shape::Text: return type.capacity.value_or(0) > 0;
+      case Shape::List:  // not of sets, deques and Eigen's vectors, which cannot
+        return type.capacity.value_or(0) > 0 && type.spelling.starts_with("std::vector<");
+      case Shape::Array: return any(type.element.front());
+      case Shape::Struct: {
+        const model::Struct* const declaration = lookup_.findStruct(type.name);
+        return declaration != nullptr && any(*declaration);
+      }
+      default: return false;
+    }
+  }
+
+ private:
+  const model::Lookup& lookup_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
 bool reserves(const model::Struct& declaration, const model::Lookup& lookup) {
-  const auto& fields = declaration.fields;
-  return std::any_of(fields.begin(), fields.end(),
-                     [&](const model::Field& field) { return reserves(field.type, lookup); });
+  return Reserves(lookup).any(declaration);
 }
 
 bool reserves(const model::Type& type, const model::Lookup& lookup) {
-  using Shape = model::Type::Shape;
-  switch (type.shape) {
-    case Shape::Text: return type.capacity.value_or(0) > 0;
-    case Shape::List:  // not of sets, deques and Eigen's vectors, which cannot
-      return type.capacity.value_or(0) > 0 && type.spelling.starts_with("std::vector<");
-    case Shape::Array: return reserves(type.element.front(), lookup);
-    case Shape::Struct: {
-      const model::Struct* const declaration = lookup.findStruct(type.name);
-      return declaration != nullptr && reserves(*declaration, lookup);
-    }
-    default: return false;
-  }
+  return Reserves(lookup).any(type);
 }
 
 std::vector<Argument> reservedArguments(const model::Interface& interface,

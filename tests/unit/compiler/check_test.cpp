@@ -141,6 +141,47 @@ TEST(Check, RecursionThroughAnotherType) {
   EXPECT_EQ(slugs(bad), (Slugs{"recursive-capacity", "recursive-type"}));
 }
 
+/// Returns header() with a chain of structs of which each has two of the one before; `hold` makes
+/// the type of such a member.
+template <class Hold>
+model::Header chain(unsigned levels, const Hold& hold) {
+  model::Header result = header();
+  for (unsigned i = 0; i < levels; ++i) {
+    model::Struct link;
+    link.name = "demo::N" + std::to_string(i);
+    link.wireName = "N" + std::to_string(i);
+    if (i > 0) {
+      const model::Type before = named("demo::N" + std::to_string(i - 1));
+      link.fields = {field("a", hold(before)), field("b", hold(before))};
+    }
+    result.structs.push_back(link);
+  }
+  model::Command last = read("last", named(result.structs.back().name));
+  last.resultByReference = true;
+  result.interfaces[0].commands.push_back(last);
+  return result;
+}
+
+model::Type itself(model::Type type) { return type; }
+
+// Two walks into each of 40 levels would take days.
+TEST(Check, EachStructIsLookedIntoOnce) {
+  EXPECT_EQ(slugs(chain(40, itself)), Slugs{});
+  EXPECT_EQ(slugs(chain(40, [](const model::Type& type) { return list(type, 1); })).back(),
+            "slot-size");
+  model::Header open = chain(40, itself);
+  open.structs[1].fields.push_back(field("name", text(std::nullopt)));
+  EXPECT_EQ(slugs(open).back(), "unbounded-contract");
+  model::Header deep = chain(64, itself);
+  EXPECT_EQ(slugs(deep), (Slugs{"nesting", "nesting"}));
+  model::Header back = chain(40, itself);
+  model::Type top;
+  top.shape = model::Type::Shape::Optional;
+  top.element = {named("demo::N39")};
+  back.structs[1].fields.push_back(field("back", top));
+  EXPECT_EQ(slugs(back), Slugs{"recursive-type"});
+}
+
 TEST(Check, DevicesDoWithoutBounds) {
   model::Header open = header();
   open.structs[0].fields.push_back(field("name", text(std::nullopt)));
