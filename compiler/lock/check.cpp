@@ -149,6 +149,19 @@ class WireNames {
   std::map<std::string, Owner> owners_;
 };
 
+Diagnostics clashesOfComposites(const model::Header& header, const model::Lookup& lookup) {
+  Diagnostics result;
+  for (const auto& [first, second] : compositeClashes(header, lookup)) {
+    result.push_back(
+        {second.source,
+         "wire-name-clash",
+         second.title + " has the wire name '" + second.node.name + "' as " + first.title + " has",
+         "make one of them a struct, which has a name of its own",
+         {{first.source, "the first is here"}}});
+  }
+  return result;
+}
+
 /// Reports members that have the name of what suturec adds to every contract (subscribe, state,
 /// stamp, evaluated, sent).
 Diagnostics clashesWithOwn(const std::vector<WantedNode>& wanted) {
@@ -296,6 +309,7 @@ Diagnostics check(const model::Model& model, const Locks& committed, const Optio
   const WireNames names(model, lookup);
   const auto judge = [&](const Judged& judged, const Lock& merged) {
     append(all, names.clashes(judged.header, judged.wanted));
+    append(all, clashesOfComposites(judged.header, lookup));
     append(all, clashesWithOwn(judged.wanted));
     append(all, names.clashesWithRemoved(judged, merged));
     if (judged.old.text.empty()) {
@@ -330,6 +344,7 @@ Update update(const model::Model& model, const Locks& committed, const Options& 
   std::map<std::string, Lock> before;
   forEachOwn(model, lookup, locks, moves.all, options, [&](const Judged& judged, Lock lock) {
     append(result.diagnostics, names.clashes(judged.header, judged.wanted));
+    append(result.diagnostics, clashesOfComposites(judged.header, lookup));
     append(result.diagnostics, clashesWithOwn(judged.wanted));
     append(result.diagnostics, names.clashesWithRemoved(judged, lock));
     Verdicts found = verdictsOf(judged, lock, options);

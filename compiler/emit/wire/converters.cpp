@@ -181,8 +181,9 @@ void emitConverters(Code& code, const Context& context) {
     emitStruct(converters, context, type);
   }
   const auto none = [](const model::Struct&) { return false; };
-  lock::forEachComposite(header, none,
-                         [&](const model::Type& type) { composites.emit(converters, type); });
+  lock::forEachComposite(header, none, [&](const model::Type& type, const model::Source&) {
+    composites.emit(converters, type);
+  });
   if (converters.text().empty()) return;
   code.line("// --- between slots and Cap'n Proto").blank().verbatim(converters.text());
 }

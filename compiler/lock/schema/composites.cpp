@@ -150,18 +150,21 @@ void forEachComposite(const Type& type, const std::function<void(const Type&)>& 
 
 void forEachComposite(const model::Header& header,
                       const std::function<bool(const model::Struct&)>& counts,
-                      const std::function<void(const Type&)>& visit) {
+                      const std::function<void(const model::Type&, const model::Source&)>& visit) {
+  const auto look = [&](const Type& type, const model::Source& source) {
+    forEachComposite(type, [&](const Type& composite) { visit(composite, source); });
+  };
   for (const model::Struct& record : header.structs) {
     if (!counts(record)) continue;
-    for (const model::Field& field : record.fields) forEachComposite(field.type, visit);
+    for (const model::Field& field : record.fields) look(field.type, field.source);
   }
   for (const model::Interface& interface : header.interfaces) {
     for (const model::Command& command : interface.commands) {
-      for (const model::Parameter& one : command.parameters) forEachComposite(one.type, visit);
-      if (command.result) forEachComposite(*command.result, visit);
+      for (const model::Parameter& one : command.parameters) look(one.type, one.source);
+      if (command.result) look(*command.result, command.source);
     }
     for (const model::Event& event : interface.events) {
-      for (const Type& payload : event.payload) forEachComposite(payload, visit);
+      for (const Type& payload : event.payload) look(payload, event.source);
     }
   }
 }

@@ -29,10 +29,11 @@ std::vector<std::string> compositeMembers(const model::Type& type, const model::
                                           const model::Header& inside);
 
 /// Calls `visit` for every composite among the types of the header's contracts and of those structs
-/// for which `counts` returns true, parts before wholes. It may visit the same one again.
+/// for which `counts` returns true, parts before wholes. It may visit the same one again. The
+/// source is that of what has the type.
 void forEachComposite(const model::Header& header,
                       const std::function<bool(const model::Struct&)>& counts,
-                      const std::function<void(const model::Type&)>& visit);
+                      const std::function<void(const model::Type&, const model::Source&)>& visit);
 
 /// Calls `visit` for every composite within one type, parts before wholes.
 void forEachComposite(const model::Type& type,

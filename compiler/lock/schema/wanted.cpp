@@ -1,6 +1,8 @@
 #include "compiler/lock/schema/wanted.h"
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -149,17 +151,36 @@ WantedNode wantedComposite(const model::Type& type, const model::Source& source,
   return result;
 }
 
+/// Calls visit(the wire form of a composite, the source of what has it) for each use of one.
+template <class Visit>
+void forEachWireForm(const model::Header& header, const model::Lookup& lookup, const Visit& visit) {
+  const model::Source source{0, header.path, 0};
+  const auto all = [](const model::Struct&) { return true; };
+  forEachComposite(header, all, [&](const model::Type& type, const model::Source& user) {
+    visit(wantedComposite(type, source, lookup, header), user);
+  });
+}
+
 /// Returns each composite of the header once.
 std::vector<WantedNode> wantedComposites(const model::Header& header, const model::Lookup& lookup) {
   std::vector<WantedNode> nodes;
   std::set<std::string> seen;
-  const model::Source source{0, header.path, 0};
-  const auto all = [](const model::Struct&) { return true; };
-  forEachComposite(header, all, [&](const model::Type& type) {
-    if (!seen.insert(compositeName(type, lookup, header)).second) return;
-    nodes.push_back(wantedComposite(type, source, lookup, header));
+  forEachWireForm(header, lookup, [&](WantedNode node, const model::Source&) {
+    if (seen.insert(node.node.name).second) nodes.push_back(std::move(node));
   });
   return nodes;
+}
+
+/// Tells if bytes of two composites mean the same. The types in C++ may differ: a pair travels as a
+/// tuple does.
+bool areAlike(const WantedNode& one, const WantedNode& other) {
+  const auto same = [](const WantedMember& a, const WantedMember& b) {
+    return a.member.name == b.member.name && a.member.type == b.member.type &&
+           a.member.annotations == b.member.annotations;
+  };
+  return one.node.isUnion == other.node.isUnion &&
+         std::equal(one.members.begin(), one.members.end(), other.members.begin(),
+                    other.members.end(), same);
 }
 
 const char* kindName(model::CommandKind kind) {
@@ -319,6 +340,20 @@ std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup&
     }
   }
   return nodes;
+}
+
+std::vector<CompositeClash> compositeClashes(const model::Header& header,
+                                             const model::Lookup& lookup) {
+  std::map<std::string, WantedNode> owners;
+  std::set<std::string> told;
+  std::vector<CompositeClash> clashes;
+  forEachWireForm(header, lookup, [&](WantedNode node, const model::Source& user) {
+    node.source = user;
+    const auto [owner, isNew] = owners.emplace(node.node.name, node);
+    if (isNew || areAlike(owner->second, node) || !told.insert(node.title).second) return;
+    clashes.push_back({owner->second, std::move(node)});
+  });
+  return clashes;
 }
 
 std::string payloadName(std::size_t index) {

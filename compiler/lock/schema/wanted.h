@@ -35,6 +35,16 @@ inline constexpr char kSent[] = "/suture/rpc.capnp:Sent";
 /// followed by its events and its state row.
 std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup);
 
+/// Says that two composites of one header have one name and are not alike: the name tells what one
+/// is made of, and not always where its parts end.
+struct CompositeClash {
+  WantedNode first, second;  ///< each with the source of what has it
+};
+
+/// Returns what wanted() has only the first of.
+std::vector<CompositeClash> compositeClashes(const model::Header& header,
+                                             const model::Lookup& lookup);
+
 /// Says what value `index` of an event's payload is called on the wire: "value", "value2",
 /// "value3".
 std::string payloadName(std::size_t index);

@@ -199,6 +199,33 @@ TEST_F(CompositesTest, ThePartsAreGuarded) {
   EXPECT_NE(std::find(found.begin(), found.end(), "lock-break"), found.end());
 }
 
+TEST_F(CompositesTest, TwoOfOneNameAreAClash) {
+  const model::Type number = sample::number();
+  const model::Type pair = of(Shape::Tuple, {number, number});
+  const model::Type triple = of(Shape::Tuple, {number, number, number});
+  add(of(Shape::Tuple, {pair, number, number}));
+  add(of(Shape::Tuple, {triple, number}));
+  add(of(Shape::Tuple, {triple, number}));
+  const model::Type& other = last();
+  ASSERT_EQ(name(other), "RobotsArmTupleOfTupleOfFloat64AndFloat64AndFloat64AndFloat64");
+  Locks none;
+  const std::vector<std::string> found = slugs(none);
+  EXPECT_EQ(std::count(found.begin(), found.end(), "wire-name-clash"), 1);
+  const model::Diagnostics updated = update(model_, none).diagnostics;
+  ASSERT_EQ(updated.size(), 1u);
+  EXPECT_EQ(updated[0].slug, "wire-name-clash");
+}
+
+TEST_F(CompositesTest, OneOfTwoSpellingsIsNoClash) {
+  const model::Type number = sample::number();
+  model::Type tuple = of(Shape::Tuple, {number, number});
+  add(tuple);
+  tuple.spelling = "another";
+  tuple.element[0].spelling = "another";
+  add(tuple);
+  EXPECT_TRUE(update(model_, Locks{}).diagnostics.empty());
+}
+
 TEST_F(CompositesTest, AUserTypeOfTheSameNameIsAClash) {
   model::Struct clash = sample::structure("robots::RobotsArmOptionalFloat64", {});
   sample::armHeader(model_).structs.push_back(clash);
