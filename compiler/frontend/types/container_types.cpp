@@ -16,10 +16,29 @@ std::string spelledPlainly(clang::QualType type) {
   return type.getAsString(clang::PrintingPolicy(language));
 }
 
-/// Tells if the argument is an instance of the template `name`, which is its default.
-bool isDefault(const Specialisation* type, unsigned index, const char* name) {
+/// Returns the argument if it is an instance of the template `name`, else null.
+const Specialisation* instanceOf(const char* name, const Specialisation* type, unsigned index) {
   const auto* record = typeArgument(type, index)->getAsCXXRecordDecl();
-  return record && qualifiedName(record) == name;
+  const bool isIt = record && qualifiedName(record) == name;
+  return isIt ? llvm::dyn_cast<Specialisation>(record) : nullptr;
+}
+
+/// Tells if the argument is `name<of>`, which is its default.
+bool isDefault(const Specialisation* type, unsigned index, const char* name, clang::QualType of) {
+  const Specialisation* const argument = instanceOf(name, type, index);
+  return argument && typeArgument(argument, 0) == of;
+}
+
+/// Tells if the order is std::less<>, which orders as the default does, and lets a key be found by
+/// what only compares with it.
+bool isTransparent(const Specialisation* type, unsigned index) {
+  const Specialisation* const argument = instanceOf("std::less", type, index);
+  return argument && typeArgument(argument, 0)->isVoidType();
+}
+
+/// An allocator of anything else is an error of the container itself.
+bool isAllocator(const Specialisation* type, unsigned index) {
+  return instanceOf("std::allocator", type, index) != nullptr;
 }
 
 TypeProblem notDefault(const std::string& what, const std::string& name) {
@@ -31,13 +50,14 @@ std::string templateName(const Specialisation* type) {
   return qualifiedName(type->getSpecializedTemplate());
 }
 
-/// Returns the name with its elements only: "std::map<std::string, double>".
-std::string spellingOf(const Specialisation* type, const model::Type& mapped) {
+/// Returns the name with its elements, "std::map<std::string, double>", and `more` behind them.
+std::string spellingOf(const Specialisation* type, const model::Type& mapped,
+                       const std::string& more = "") {
   std::string arguments;
   for (const model::Type& element : mapped.element) {
     arguments += (arguments.empty() ? "" : ", ") + element.spelling;
   }
-  return templateName(type) + "<" + arguments + ">";
+  return templateName(type) + "<" + arguments + more + ">";
 }
 
 MappedType withElements(const Specialisation* type, model::Type outer,
@@ -70,21 +90,24 @@ bool isPlainChar(clang::QualType type) {
 MappedType withKey(const Specialisation* type, Shape shape,
                    const std::vector<clang::QualType>& elements, const NamedTypes& names) {
   const auto count = static_cast<unsigned>(elements.size());
+  const clang::QualType key = elements.front();
   const bool hashed = llvm::StringRef(templateName(type)).starts_with("std::unordered");
-  const bool order =
-      hashed ? isDefault(type, count, "std::hash") && isDefault(type, count + 1, "std::equal_to")
-             : isDefault(type, count, "std::less");
+  const bool transparent = !hashed && isTransparent(type, count);
+  const bool order = hashed ? isDefault(type, count, "std::hash", key) &&
+                                  isDefault(type, count + 1, "std::equal_to", key)
+                            : transparent || isDefault(type, count, "std::less", key);
   if (!order) return notDefault("order", templateName(type));
-  if (!isDefault(type, count + (hashed ? 2 : 1), "std::allocator")) {
+  if (!isAllocator(type, count + (hashed ? 2 : 1))) {
     return notDefault("allocator", templateName(type));
   }
-  if (isPlainChar(elements.front()) && names.isForeign()) {
+  if (isPlainChar(key) && names.isForeign()) {
     return TypeProblem{"map-key", "'char' keys have another order on other machines",
                        "use std::int8_t"};
   }
   MappedType mapped = withElements(type, ofShape(shape), elements, names);
   if (auto* done = std::get_if<model::Type>(&mapped)) {
     done->distinct = shape == Shape::List;
+    if (transparent) done->spelling = spellingOf(type, *done, ", std::less<>");
     if (!isKey(done->element.front())) {
       return TypeProblem{
           "map-key", "'" + done->element.front().spelling + "' is no key that is compared exactly",
@@ -142,8 +165,9 @@ MappedType mapFixedArray(clang::QualType element, std::uint64_t length, const Na
 }
 
 MappedType mapString(const Specialisation* type, const NamedTypes&) {
-  if (!typeArgument(type, 0)->isSpecificBuiltinType(clang::BuiltinType::Char_S) ||
-      !isDefault(type, 2, "std::allocator")) {
+  const clang::QualType character = typeArgument(type, 0);
+  if (!character->isSpecificBuiltinType(clang::BuiltinType::Char_S) ||
+      !isDefault(type, 1, "std::char_traits", character) || !isAllocator(type, 2)) {
     return TypeProblem{"unsupported-type", "only std::string has a wire form", "use std::string"};
   }
   model::Type mapped = ofShape(Shape::Text);
@@ -152,7 +176,7 @@ MappedType mapString(const Specialisation* type, const NamedTypes&) {
 }
 
 MappedType mapSequence(const Specialisation* type, const NamedTypes& names) {
-  if (!isDefault(type, 1, "std::allocator")) return notDefault("allocator", templateName(type));
+  if (!isAllocator(type, 1)) return notDefault("allocator", templateName(type));
   MappedType mapped = withElements(type, ofShape(Shape::List), {typeArgument(type, 0)}, names);
   if (std::holds_alternative<TypeProblem>(mapped)) return mapped;
   if (templateName(type) == "std::vector" &&
@@ -186,10 +210,10 @@ MappedType mapOptional(const Specialisation* type, const NamedTypes& names) {
 }
 
 MappedType mapUniquePointer(const Specialisation* type, const NamedTypes& names) {
-  if (!isDefault(type, 1, "std::default_delete")) {
+  const clang::QualType held = typeArgument(type, 0);
+  if (!isDefault(type, 1, "std::default_delete", held)) {
     return notDefault("deleter", "std::unique_ptr");
   }
-  const clang::QualType held = typeArgument(type, 0);
   const auto* record = held->getAsCXXRecordDecl();
   if (record && record->hasDefinition() && record->isPolymorphic()) {
     return TypeProblem{"polymorphic", "what a base pointer points to would be cut to the base",

@@ -97,12 +97,13 @@ void loadMap(const BoundedList<S, N>& slot, Map& value) {
       });
 }
 
-template <class T, class S, std::uint32_t N>
-bool store(const std::set<T>& value, BoundedList<S, N>& slot) {
+// An order may compare with what is no key as well: std::less<>.
+template <class T, class Order, class S, std::uint32_t N>
+bool store(const std::set<T, Order>& value, BoundedList<S, N>& slot) {
   return storeKeyed(value, slot);
 }
-template <class T, class S, std::uint32_t N>
-void load(const BoundedList<S, N>& slot, std::set<T>& value) {
+template <class T, class Order, class S, std::uint32_t N>
+void load(const BoundedList<S, N>& slot, std::set<T, Order>& value) {
   loadSet(slot, value);
 }
 
@@ -115,12 +116,12 @@ void load(const BoundedList<S, N>& slot, std::unordered_set<T>& value) {
   loadSet(slot, value);
 }
 
-template <class Key, class Value, class K, class V, std::uint32_t N>
-bool store(const std::map<Key, Value>& value, BoundedList<SlotEntry<K, V>, N>& slot) {
+template <class Key, class Value, class Order, class K, class V, std::uint32_t N>
+bool store(const std::map<Key, Value, Order>& value, BoundedList<SlotEntry<K, V>, N>& slot) {
   return storeKeyed(value, slot);
 }
-template <class Key, class Value, class K, class V, std::uint32_t N>
-void load(const BoundedList<SlotEntry<K, V>, N>& slot, std::map<Key, Value>& value) {
+template <class Key, class Value, class Order, class K, class V, std::uint32_t N>
+void load(const BoundedList<SlotEntry<K, V>, N>& slot, std::map<Key, Value, Order>& value) {
   loadMap(slot, value);
 }
 

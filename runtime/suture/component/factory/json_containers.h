@@ -38,8 +38,8 @@ void setFromJson(const JsonReader& in, Set& value) {
     if (!value.insert(std::move(element)).second) in.at(i).report("this stands twice");
   }
 }
-template <class T>
-void fromJson(const JsonReader& in, std::set<T>& value) {
+template <class T, class Order>
+void fromJson(const JsonReader& in, std::set<T, Order>& value) {
   setFromJson(in, value);
 }
 template <class T>
@@ -64,8 +64,8 @@ void mapFromJson(const JsonReader& in, Map& value) {
     }
   }
 }
-template <class Key, class Value>
-void fromJson(const JsonReader& in, std::map<Key, Value>& value) {
+template <class Key, class Value, class Order>
+void fromJson(const JsonReader& in, std::map<Key, Value, Order>& value) {
   mapFromJson(in, value);
 }
 template <class Key, class Value>

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <unordered_map>
 #include <variant>
 namespace demo {
 struct SUTURE_TYPE() Animal {
@@ -15,6 +16,7 @@ struct SUTURE_TYPE() Animal {
 struct Free {
   void operator()(int* p) const;
 };
+struct Shouting : std::char_traits<char> {};
 struct SUTURE_TYPE() Containers {
   std::map<double, int> real;
   std::set<Animal> animals;
@@ -26,6 +28,13 @@ struct SUTURE_TYPE() Containers {
   std::monostate alone;
   std::unique_ptr<Animal> pet;
   std::unique_ptr<int, Free> freed;
+  std::unordered_map<std::string, int, std::hash<std::string>, std::equal_to<>> alike;
+  std::set<int, std::less<short>> widened;
+  std::unique_ptr<int, std::default_delete<const int>> another;
+  std::basic_string<char, Shouting> loud;
+  // These order as the default does.
+  std::map<std::string, int, std::less<>> names;
+  std::set<std::string, std::less<>> words;
 };
 class SUTURE_INTERFACE() Contract {
  public:

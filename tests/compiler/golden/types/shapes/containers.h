@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -46,10 +47,10 @@ struct SUTURE_TYPE() Sequences {
   SUTURE_FIELD(capacity(3)) std::deque<Point> path;
   SUTURE_FIELD(capacity(4)) std::deque<bool> bits;
   SUTURE_FIELD(capacity(4)) std::vector<bool> flags;
-  SUTURE_FIELD(capacity(4)) std::set<std::int32_t> numbers;
+  SUTURE_FIELD(capacity(4)) std::set<std::int32_t, std::less<>> numbers;
   SUTURE_FIELD(capacity(3, 6)) std::unordered_set<std::string> words;
   SUTURE_FIELD(capacity(3)) std::set<Level> levels;
-  SUTURE_FIELD(capacity(3, 6)) std::map<std::string, double> gains;
+  SUTURE_FIELD(capacity(3, 6)) std::map<std::string, double, std::less<>> gains;
   SUTURE_FIELD(capacity(3)) std::unordered_map<std::uint16_t, Point> points;
   SUTURE_FIELD(capacity(2, 4, 3)) std::map<std::string, std::vector<float>> series;
   SUTURE_FIELD(capacity(3), range(0, 1)) std::map<Level, double> shares;

@@ -30,10 +30,11 @@ static_assert(std::is_same_v<decltype(Sequences::corners), Point[2]>);
 static_assert(std::is_same_v<decltype(Sequences::path), std::deque<shapes::Point>>);
 static_assert(std::is_same_v<decltype(Sequences::bits), std::deque<bool>>);
 static_assert(std::is_same_v<decltype(Sequences::flags), std::vector<bool>>);
-static_assert(std::is_same_v<decltype(Sequences::numbers), std::set<std::int32_t>>);
+static_assert(std::is_same_v<decltype(Sequences::numbers), std::set<std::int32_t, std::less<>>>);
 static_assert(std::is_same_v<decltype(Sequences::words), std::unordered_set<std::string>>);
 static_assert(std::is_same_v<decltype(Sequences::levels), std::set<shapes::Level>>);
-static_assert(std::is_same_v<decltype(Sequences::gains), std::map<std::string, double>>);
+static_assert(std::is_same_v<decltype(Sequences::gains),
+                             std::map<std::string, double, std::less<>>>);
 static_assert(std::is_same_v<decltype(Sequences::points),
                              std::unordered_map<std::uint16_t, shapes::Point>>);
 static_assert(std::is_same_v<decltype(Sequences::series),
