@@ -9,6 +9,7 @@
 
 #include "compiler/emit/text/contract.h"
 #include "compiler/model/naming.h"
+#include "compiler/model/quantities.h"
 
 namespace suture::compiler::emit {
 namespace {
@@ -119,12 +120,6 @@ bool isReadable(const model::Type& type) {
          std::all_of(type.element.begin(), type.element.end(), isReadable);
 }
 
-bool holdsNumbers(const model::Type& type) {
-  const bool number = (type.shape == Shape::Scalar && type.scalar != model::Scalar::Bool) ||
-                      type.shape == Shape::Duration || type.shape == Shape::Matrix;
-  return number || (!type.element.empty() && holdsNumbers(type.element.front()));
-}
-
 /// Returns the namespace in which a function on the type is found by its argument.
 std::string namespaceFor(const std::string& name, const Context& context) {
   const model::Struct* const record = context.lookup.findStruct(name);
@@ -138,7 +133,7 @@ void emitStruct(Code& code, const model::Struct& declaration, const std::string&
   code.line("suture::JsonReader reader = in;");
   for (const model::Field& field : declaration.fields) {
     if (!isReadable(field.type)) continue;
-    const bool bounded = field.range && holdsNumbers(field.type);
+    const bool bounded = field.range && model::holdsNumbers(field.type);
     const std::string range =
         bounded ? ", " + cxxNumber(field.range->first) + ", " + cxxNumber(field.range->second) : "";
     const std::string before = "reader.field(\"" + field.name + "\", " + kBreak;

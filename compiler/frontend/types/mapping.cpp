@@ -5,6 +5,7 @@
 #include "compiler/frontend/types/field_fixes.h"
 #include "compiler/frontend/types/platform_integers.h"
 #include "compiler/frontend/types/type_mapper.h"
+#include "compiler/model/quantities.h"
 
 namespace suture::compiler::frontend {
 
@@ -146,11 +147,11 @@ std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
 
 void Mapping::checkNumberArguments(const clang::NamedDecl* declaration, const std::string& subject,
                                    const model::Type& type, const Annotation& field) {
-  if (!field.unit.empty() && !holdsQuantities(type)) {
+  if (!field.unit.empty() && !model::holdsQuantities(type)) {
     error(declaration, "not-a-number", subject + " has a unit() but holds no plain numbers",
           "drop it; durations and stamps carry their unit in their type");
   }
-  if (field.range && !holdsNumbers(type)) {
+  if (field.range && !model::holdsNumbers(type)) {
     error(declaration, "not-a-number", subject + " has a range() but holds no plain numbers",
           "drop it");
   }

@@ -166,17 +166,6 @@ void handOut(model::Type& type, const std::vector<unsigned>& bounds, std::size_t
   for (model::Type& element : type.element) handOut(element, bounds, next);
 }
 
-/// Returns what a container holds, or null if the type is none.
-const model::Type* contentOf(const model::Type& type) {
-  switch (type.shape) {
-    case Shape::Array:
-    case Shape::List:
-    case Shape::Optional: return &type.element.front();
-    case Shape::Map: return &type.element.back();
-    default: return nullptr;
-  }
-}
-
 }  // namespace
 
 bool applyCapacity(model::Type& type, const std::vector<unsigned>& bounds) {
@@ -193,17 +182,6 @@ bool makeBulk(model::Type& type) {
   const bool large = type.shape == Shape::Matrix && type.rows * type.columns > 16;
   type.bulk = (row && isNumber(type.element.front())) || large || type.shape == Shape::AnyMatrix;
   return type.bulk;
-}
-
-bool holdsNumbers(const model::Type& type) {
-  if (const model::Type* content = contentOf(type)) return holdsNumbers(*content);
-  if (type.shape == Shape::Scalar) return type.scalar != model::Scalar::Bool;
-  return type.shape == Shape::Matrix || type.shape == Shape::AnyMatrix;
-}
-
-bool holdsQuantities(const model::Type& type) {
-  if (const model::Type* content = contentOf(type)) return holdsQuantities(*content);
-  return type.shape == Shape::Isometry || type.shape == Shape::Affine || holdsNumbers(type);
 }
 
 std::string spelled(clang::QualType type, const clang::ASTContext& context) {

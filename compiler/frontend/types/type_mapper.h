@@ -39,13 +39,6 @@ bool applyCapacity(model::Type& type, const std::vector<unsigned>& bounds);
 /// matrix of plain numbers.
 bool makeBulk(model::Type& type);
 
-/// Tells if range() means something: the type is, or is a container of, plain numbers.
-bool holdsNumbers(const model::Type& type);
-
-/// Tells if unit() means something: the type holds plain numbers, or a transform, whose translation
-/// has the unit.
-bool holdsQuantities(const model::Type& type);
-
 /// Spells the type as a message shows it.
 std::string spelled(clang::QualType type, const clang::ASTContext& context);
 

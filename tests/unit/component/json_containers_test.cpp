@@ -61,6 +61,60 @@ TEST(JsonContainers, Maps) {
   EXPECT_EQ(read("[[1, true], [1, false]]", numbered), Lines{"/1: this key stands twice"});
 }
 
+/// Returns the problems of "x" as a member with a range from 0 to 1.
+template <class T>
+std::vector<std::string> readWithin(const std::string& text, T& value) {
+  std::vector<JsonProblem> problems;
+  const auto json = nlohmann::json::parse(R"({"x": )" + text + "}");
+  JsonReader(json, "", problems).field("x", value, 0, 1);
+  std::vector<std::string> lines;
+  for (const JsonProblem& one : problems) lines.push_back(one.pointer);
+  return lines;
+}
+
+TEST(JsonContainers, ARangeHoldsForTheValuesOfAMapNotForItsKeys) {
+  std::map<int, double> numbered;
+  EXPECT_EQ(readWithin("[[7, 0.5], [-7, 1]]", numbered), Lines{});
+  EXPECT_EQ(numbered, (std::map<int, double>{{7, 0.5}, {-7, 1}}));
+  EXPECT_EQ(readWithin("[[7, 0.5], [8, 5]]", numbered), Lines{"/x/1/1"});
+  std::map<std::string, double, std::less<>> named;
+  EXPECT_EQ(readWithin(R"({"a": 0.5, "b": 5})", named), Lines{"/x/b"});
+  std::vector<std::optional<std::unordered_map<int, std::deque<double>>>> deep;
+  EXPECT_EQ(readWithin("[null, [[7, [0, 1]], [8, [2]]]]", deep), Lines{"/x/1/1/1/0"});
+  EXPECT_EQ(readWithin("[null, [[7, [0, 1]]]]", deep), Lines{});
+  std::unique_ptr<std::array<std::map<int, int>, 1>> owned;
+  EXPECT_EQ(readWithin("[[[7, 1]]]", owned), Lines{});
+  EXPECT_EQ(readWithin("[[[7, 2]]]", owned), Lines{"/x/0/0/1"});
+}
+
+TEST(JsonContainers, ARangeLeavesItToTheReaderWhatIsNoMap) {
+  std::map<int, double> numbered;
+  for (const char* text : {"5", R"({"a": 0.5})", "[7, 0.5]", "[[7]]", "[[0.5, 0.5]]"}) {
+    EXPECT_NE(readWithin(text, numbered), Lines{}) << text;
+  }
+}
+
+TEST(JsonContainers, ARangeNeedsNoCopy) {
+  std::unique_ptr<double> owned;
+  EXPECT_EQ(readWithin("2", owned), Lines{"/x"});
+  EXPECT_EQ(owned, nullptr);
+  EXPECT_EQ(readWithin("1", owned), Lines{});
+  EXPECT_EQ(*owned, 1);
+  double row[2] = {};
+  EXPECT_EQ(readWithin("[0.5, 2]", row), Lines{"/x/1"});
+  EXPECT_EQ(row[0], 0);
+  EXPECT_EQ(readWithin("[0.5, 1]", row), Lines{});
+  EXPECT_EQ(row[1], 1);
+}
+
+TEST(JsonContainers, ARangeHoldsForAllElementsOfAMatrix) {
+  Eigen::MatrixXd matrix;
+  EXPECT_EQ(readWithin("[[0, 1], [0.5, 5]]", matrix), Lines{"/x/1/1"});
+  EXPECT_EQ(matrix.size(), 0);
+  EXPECT_EQ(readWithin("[[0, 1], [0.5, 1]]", matrix), Lines{});
+  EXPECT_EQ(matrix(1, 0), 0.5);
+}
+
 TEST(JsonContainers, Sets) {
   std::set<int> value;
   EXPECT_EQ(read("[3, 1]", value), Lines{});

@@ -205,6 +205,31 @@ TEST_F(EmitTest, APageLinksToContractsOfOtherTargets) {
   EXPECT_FALSE(contains(text("robots/simulated_arm.suture.md"), link));
 }
 
+TEST_F(EmitTest, ParametersOfEveryShapeOfNumbersAreReadWithinTheirRange) {
+  const auto add = [](model::Struct& parameters, const std::string& name, model::Type type) {
+    parameters.fields.push_back(sample::field(name, std::move(type)));
+    parameters.fields.back().range = {{0, 1}};
+  };
+  model::Type matrix, map;
+  matrix.shape = model::Type::Shape::AnyMatrix;
+  map.shape = model::Type::Shape::Map;
+  map.element = {sample::text(4), sample::number()};
+  map.capacity = 4;
+  for (model::Header& header : model_.headers) {
+    for (model::Struct& parameters : header.structs) {
+      if (parameters.name != "robots::ArmParameters") continue;
+      add(parameters, "gains", matrix);
+      add(parameters, "shares", map);
+      add(parameters, "weights", sample::listOf(sample::number(), 4));
+    }
+  }
+  const std::string source = text("robots/simulated_arm.suture.cpp");
+  for (const char* const name : {"gains", "shares", "weights"}) {
+    const std::string field = std::string("(\"") + name + "\", value." + name + ", 0, 1)";
+    EXPECT_TRUE(contains(source, field)) << source;
+  }
+}
+
 TEST_F(EmitTest, OneSourceReadsAForeignTypeForAll) {
   sample::armHeader(model_).own = false;  // with the enum that parameters have a value of
   model::Header other = model_.headers.back();

@@ -73,6 +73,40 @@ void fromJson(const JsonReader& in, std::unordered_map<Key, Value>& value) {
   mapFromJson(in, value);
 }
 
+template <class Value>
+void checkValues(const JsonReader& in, double lowest, double highest) {
+  if (in.json().is_object()) {
+    for (const auto& [key, unused] : in.json().items()) {
+      checkNumbers(in.at(key), std::type_identity<Value>(), lowest, highest);
+    }
+  } else if (in.json().is_array()) {
+    for (std::size_t i = 0; i < in.json().size(); ++i) {
+      if (!in.at(i).isArrayOf(2)) continue;
+      checkNumbers(in.at(i).at(1), std::type_identity<Value>(), lowest, highest);
+    }
+  }
+}
+template <class Key, class Value, class Order>
+void checkNumbers(const JsonReader& in, std::type_identity<std::map<Key, Value, Order>>,
+                  double lowest, double highest) {
+  checkValues<Value>(in, lowest, highest);
+}
+template <class Key, class Value>
+void checkNumbers(const JsonReader& in, std::type_identity<std::unordered_map<Key, Value>>,
+                  double lowest, double highest) {
+  checkValues<Value>(in, lowest, highest);
+}
+template <class T>
+void checkNumbers(const JsonReader& in, std::type_identity<std::optional<T>>, double lowest,
+                  double highest) {
+  if (!in.json().is_null()) checkNumbers(in, std::type_identity<T>(), lowest, highest);
+}
+template <class T>
+void checkNumbers(const JsonReader& in, std::type_identity<std::unique_ptr<T>>, double lowest,
+                  double highest) {
+  if (!in.json().is_null()) checkNumbers(in, std::type_identity<T>(), lowest, highest);
+}
+
 /// Reads a list of the members.
 template <class Tuple, std::size_t... I>
 void tupleFromJson(const JsonReader& in, Tuple& value, std::index_sequence<I...>) {

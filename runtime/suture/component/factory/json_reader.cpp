@@ -19,6 +19,7 @@ void JsonReader::expected(std::string_view what) const {
 }
 
 void JsonReader::checkRange(double lowest, double highest) const {
+  if (tooDeep()) return;
   if (json_.is_array()) {
     for (std::size_t i = 0; i < json_.size(); ++i) at(i).checkRange(lowest, highest);
   } else if (json_.is_object()) {

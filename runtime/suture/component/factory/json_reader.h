@@ -40,7 +40,8 @@ class JsonReader {
   /// Reads member `key` of this object into `target`; if it is absent, `target` keeps its default.
   template <class T>
   void field(const char* key, T& target);
-  /// Does the same for numbers, which must all lie between `lowest` and `highest`, inclusive.
+  /// Does the same for numbers, which must all lie between `lowest` and `highest`, inclusive. Keys
+  /// of maps may be any.
   template <class T>
   void field(const char* key, T& target, double lowest, double highest);
   /// After all fields: reports every key that is not the name of one of them.
@@ -183,6 +184,44 @@ void fromJson(const JsonReader& in, Eigen::Quaternion<S>& value) {
   value = Eigen::Quaternion<S>(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
 }
 
+/// Judges the numbers of what is read as a T, but not the keys of maps. Whether it is a T at all is
+/// told when it is read.
+template <class T>
+void checkNumbers(const JsonReader& in, std::type_identity<T>, double lowest, double highest) {
+  in.checkRange(lowest, highest);
+}
+template <class T>
+void checkElements(const JsonReader& in, double lowest, double highest) {
+  if (!in.json().is_array()) return;
+  for (std::size_t i = 0; i < in.json().size(); ++i) {
+    checkNumbers(in.at(i), std::type_identity<T>(), lowest, highest);
+  }
+}
+template <class T>
+void checkNumbers(const JsonReader& in, std::type_identity<std::vector<T>>, double lowest,
+                  double highest) {
+  checkElements<T>(in, lowest, highest);
+}
+template <class T>
+void checkNumbers(const JsonReader& in, std::type_identity<std::deque<T>>, double lowest,
+                  double highest) {
+  checkElements<T>(in, lowest, highest);
+}
+template <class T, std::size_t N>
+void checkNumbers(const JsonReader& in, std::type_identity<T[N]>, double lowest, double highest) {
+  checkElements<T>(in, lowest, highest);
+}
+template <class T, std::size_t N>
+void checkNumbers(const JsonReader& in, std::type_identity<std::array<T, N>>, double lowest,
+                  double highest) {
+  checkElements<T>(in, lowest, highest);
+}
+template <class T>
+requires requires { typename Wire<T>::Type; }
+void checkNumbers(const JsonReader& in, std::type_identity<T>, double lowest, double highest) {
+  checkNumbers(in, std::type_identity<typename Wire<T>::Type>(), lowest, highest);
+}
+
 template <class T>
 void JsonReader::field(const char* key, T& target) {
   known_.emplace_back(key);
@@ -193,11 +232,12 @@ void JsonReader::field(const char* key, T& target) {
 template <class T>
 void JsonReader::field(const char* key, T& target, double lowest, double highest) {
   const std::size_t before = problems_.size();
-  T value = target;
-  field(key, value);
-  const bool given = problems_.size() == before && json_.is_object() && json_.contains(key);
-  if (given) at(std::string(key)).checkRange(lowest, highest);
-  if (problems_.size() == before) target = std::move(value);
+  if (json_.is_object() && json_.contains(key)) {
+    checkNumbers(at(std::string(key)), std::type_identity<T>(), lowest, highest);
+  }
+  // A value that is judged first needs no copy, which not every type has.
+  if (problems_.size() == before) return field(key, target);
+  known_.emplace_back(key);
 }
 
 }  // namespace suture
