@@ -17,7 +17,7 @@ struct Tally {
   std::uint64_t refused = 0;     ///< suspended, parked, ending, not permitted, invalid, no room
   std::uint64_t failed = 0;      ///< the handler threw
   std::uint64_t replaced = 0;    ///< a newer one of the same latest() command came first
-  std::uint64_t superseded = 0;  ///< a later one had run, or been taken to run, already
+  std::uint64_t superseded = 0;  ///< a later command had run already
   std::uint64_t cancelled = 0;   ///< its client cancelled it before it was executed
   std::uint64_t eventsDropped = 0;
 
