@@ -264,8 +264,10 @@ bool KnotGuide::send(Side& side, const Isometry3d& goal, const Isometry3d& base,
   return side.slave.servo_cp(sent).has_value();
 }
 
+/// It does not disturb others who move a slave that is not ready.
 void KnotGuide::leave(GuidanceState state) {
   for (Side* side : {&left_, &right_}) {
+    if (state_ == GuidanceState::Guiding && side->slaveWatch.ready()) (void)side->slave.hold();
     side->law.reset();
     side->bounds.reset();  // the slave may be another one when it goes on
   }

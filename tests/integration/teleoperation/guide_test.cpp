@@ -32,6 +32,15 @@ TEST_F(Guide, HoldsBothSlavesWhileTheDataOfAnyArmAreOld) {
   }
 }
 
+// A slave that is not told takes a stream that ends for one that has failed, 0.1 s later.
+TEST_F(Guide, TellsBothSlavesOnceToHold) {
+  eyes_.covered = true;
+  ASSERT_TRUE(becomes(GuidanceState::Blind));
+  pass(50ms);
+  EXPECT_EQ(arms_[2].holds(), 1u);
+  EXPECT_EQ(arms_[3].holds(), 1u);
+}
+
 TEST_F(Guide, HoldsBothSlavesWhileTheKnotIsUnseen) {
   eyes_.covered = true;
   ASSERT_TRUE(becomes(GuidanceState::Blind));
