@@ -143,7 +143,7 @@ TEST(JsonContainers, TuplesAndVariants) {
   EXPECT_EQ(read(R"({"index": 2, "value": "x"})", either), Lines{});
   EXPECT_EQ(std::get<2>(either), "x");
   EXPECT_EQ(read(R"({"index": 3})", either),
-            Lines{"/index: expected a number from 0.0 to 2.0, found number 3"});
+            Lines{"/index: expected a number from 0 to 2, found number 3"});
 }
 
 TEST(JsonContainers, Matrices) {

@@ -42,7 +42,7 @@ TEST(JsonReader, AWrongTypeSaysWhatWasFound) {
 TEST(JsonReader, ANumberOutsideItsRangeIsRefusedAndChangesNothing) {
   const Read result = read(R"({"period": 2})");
   ASSERT_EQ(result.problems.size(), 1u);
-  EXPECT_EQ(result.problems[0].text, "expected a number from 0.0001 to 1.0, found number 2");
+  EXPECT_EQ(result.problems[0].text, "expected a number from 0.0001 to 1, found number 2");
   EXPECT_EQ(result.value.period, 0.001);
 }
 
@@ -54,7 +54,7 @@ TEST(JsonReader, ARangeHoldsForEveryNumberOfAList) {
   reader.field("gains", gains, 0, 1);
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_EQ(problems[0].pointer, "/gains/0/1");
-  EXPECT_EQ(problems[0].text, "expected a number from 0.0 to 1.0, found number 2");
+  EXPECT_EQ(problems[0].text, "expected a number from 0 to 1, found number 2");
   EXPECT_EQ(problems[1].pointer, "/gains/1/0");
   EXPECT_EQ(gains.size(), 1u);
 }

@@ -12,6 +12,13 @@ std::string child(const std::string& pointer, const std::string& key) {
   return (nlohmann::json::json_pointer(pointer) / key).to_string();
 }
 
+/// Returns "63" of 63.0, which is a bound of whole numbers too.
+std::string shortest(double number) {
+  std::string text = nlohmann::json(number).dump();
+  if (text.ends_with(".0")) text.resize(text.size() - 2);
+  return text;
+}
+
 }  // namespace
 
 void JsonReader::expected(std::string_view what) const {
@@ -27,8 +34,7 @@ void JsonReader::checkRange(double lowest, double highest) const {
   } else if (json_.is_number()) {
     const double number = json_.get<double>();
     if (number >= lowest && number <= highest) return;
-    expected("a number from " + nlohmann::json(lowest).dump() + " to " +
-             nlohmann::json(highest).dump());
+    expected("a number from " + shortest(lowest) + " to " + shortest(highest));
   }
 }
 
