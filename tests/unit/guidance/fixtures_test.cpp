@@ -4,13 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <random>
 #include <utility>
-
-#include "strand/strand.h"
 
 namespace robots {
 namespace {
@@ -171,34 +170,41 @@ TEST_F(Fixtures, NoJointGoesFartherThanItsRoom) {
   }
 }
 
-/// Returns how much of the strand has run through the knot after the left tip was drawn up above
-/// it, as far as the fixtures permit, while the right one stayed.
-double slidAfterPullingUp(double holding) {
-  FixtureModel free{.target = {0, 0, -1}, .radius = 1, .slope = 1, .holding = holding};
-  KnotFixtures fixtures(free);
-  TipPair tips{{-0.035, 0, 0}, {0.035, 0, 0}};
-  Strand strand(StrandModel{.length = 0.075}, tips.left, tips.right);
-  const auto hang = [&] {
-    strand.hold(Strand::Place::Left, tips.left);
-    strand.hold(Strand::Place::Right, tips.right);
-    strand.advance(kCycle);
-  };
-  for (int i = 0; i < 2000; ++i) hang();
-  const double before = strand.leftLength();
-  for (int i = 0; i < 4000; ++i) {
-    const TipPair step =
-        fixtures.constrain(tips, strand.knot(), {{1e-5, 0, 1e-5}, Vector3d::Zero()}, kCycle);
-    tips.left += step.left;
-    tips.right += step.right;
-    hang();
-  }
-  return std::abs(strand.leftLength() - before);
+/// Returns the ratio of the tensions beside a knot that resists along -z: those of both sides
+/// together bear it.
+double ratioOfTensions(const TipPair& tips, const Vector3d& knot) {
+  Eigen::Matrix<double, 3, 2> sides;
+  sides << (tips.left - knot).normalized(), (tips.right - knot).normalized();
+  const Eigen::Vector2d tensions = sides.colPivHouseholderQr().solve(Vector3d::UnitZ());
+  return tensions[0] / tensions[1];
 }
 
-TEST(SlidingCone, KeepsTheStrandFromRunningThroughTheKnot) {
-  const StrandModel model;
-  EXPECT_GT(slidAfterPullingUp(std::numeric_limits<double>::infinity()), 1e-3);
-  EXPECT_LT(slidAfterPullingUp(std::exp(0.8 * model.friction * model.wrap)), 1e-5);
+/// Draws one tip up above the knot and lets the other go down, as far as the fixtures permit, and
+/// returns the largest ratio of the tensions.
+double steepest(double holding, double left, double right) {
+  KnotFixtures fixtures({.target = {0, 0, -1}, .radius = 1, .slope = 1, .holding = holding});
+  TipPair tips{{-0.03, 0, 0.03}, {0.03, 0, 0.03}};
+  Vector3d knot = Vector3d::Zero();
+  double most = 1;
+  for (int i = 0; i < 2500; ++i) {
+    const TipPair wish{{1e-5 * std::max(left, 0.0), 0, 1e-5 * left},
+                       {-1e-5 * std::max(right, 0.0), 0, 1e-5 * right}};
+    const TipPair step = fixtures.constrain(tips, knot, wish, kCycle);
+    tips.left += step.left;
+    tips.right += step.right;
+    knot += step.mean();
+    const double ratio = ratioOfTensions(tips, knot);
+    most = std::max({most, ratio, 1 / ratio});
+  }
+  return most;
+}
+
+TEST(SlidingCone, BoundsTheRatioOfTheTensionsBesideTheKnot) {
+  constexpr double kHolding = 2, kNone = std::numeric_limits<double>::infinity();
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_GT(steepest(kNone, sign, -sign), 3);
+    EXPECT_NEAR(steepest(kHolding, sign, -sign), kHolding, 0.01);
+  }
 }
 
 /// A hand whose place is unknown moves nothing.
