@@ -81,7 +81,9 @@ class Fail(System):
         self.assertIn("Did you mean 'Gripper'?", self.refused("read", "robot:Hand/Griper", "mode"))
         self.assertIn("Did you mean 'opening'?", self.refused("read", GRIPPER, "openin"))
         self.assertIn("Did you mean 'open'?", self.refused("call", GRIPPER, "opn"))
-        self.assertIn("Did you mean 'stopped'?", self.refused("watch", GRIPPER, "stoped"))
+        error = self.refused("watch", GRIPPER, "stoped")
+        self.assertIn(" has events and commands ", error)
+        self.assertIn("Did you mean 'stopped'?", error)
         self.assertIn("Did you mean 'opening'?", self.refused("watch", GRIPPER, "openin"))
         self.assertIn("Did you mean 'Names'?", self.refused("why", "robot:Surgeon/Name", GRIPPER))
 
