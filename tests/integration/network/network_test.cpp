@@ -36,8 +36,8 @@ struct Stranger final : Device {
       static const InterfaceInfo kInfo{.name = "reference::ArmLike",
                                        .hash = "another",
                                        .description = R"({"name": "reference::OtherArm"})",
-                                       .commands = {},
-                                       .events = {},
+                                       .commands = interfaceInfo<ArmLike>().commands,
+                                       .events = interfaceInfo<ArmLike>().events,
                                        .codec = interfaceInfo<ArmLike>().codec};
       return kInfo;
     }
