@@ -17,6 +17,9 @@ namespace {
 
 // No packet leaves the namespace, so the addresses must only differ from each other.
 constexpr const char* kHere = "10.213.7.1";
+// Without an address of its own the switch has the lowest of its cables', which changes while
+// cables are laid. Who had found the switch before then sends to nobody, for five seconds.
+constexpr const char* kSwitchAddress = "02:00:0a:d5:07:01";
 constexpr std::size_t kFirstCable = 2;
 
 bool succeeds(const std::string& command) {
@@ -44,7 +47,8 @@ std::string moveToNamespace() {
   }
   // One cable is laid and removed to see if that works; connect() lays the others.
   const std::string failure =
-      firstFailure({"ip link set lo up", "ip link add switch type bridge",
+      firstFailure({"ip link set lo up",
+                    "ip link add switch address " + std::string(kSwitchAddress) + " type bridge",
                     "ip addr add " + std::string(kHere) + "/24 dev switch", "ip link set switch up",
                     "ip link add cable type veth peer name other", "ip link del cable"});
   if (!failure.empty()) setns(before, CLONE_NEWNET);
