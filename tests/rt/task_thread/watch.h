@@ -15,8 +15,8 @@ struct Allowance {
 };
 
 /// Watches one thread for a number of its cycles, after some in which it warms up: every use of
-/// the allocator, every lock, every page fault, and every system call beyond the allowance.
-/// Under the sanitizers (unwatched.cpp) it only counts cycles.
+/// the allocator, every lock, page faults beyond those of the kernel itself, and every system call
+/// beyond the allowance. Under the sanitizers (unwatched.cpp) it only counts cycles.
 class Watch {
  public:
   /// `thread` says which thread it is, for the findings.
