@@ -11,8 +11,8 @@ namespace {
 
 using JacobianMatrix = Eigen::Matrix<double, 6, kTipJoints>;
 
-// Damps the inverse beside a singularity, where joints would seem to move without end. Elsewhere a
-// PSM's Jacobian is large enough that this changes less than a thousandth.
+// Damps the inverse beside a singularity, where joints would seem to move without end. Elsewhere it
+// is within the error of taking the step for linear.
 constexpr double kDamping = 1e-3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
