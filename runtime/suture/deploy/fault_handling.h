@@ -31,6 +31,9 @@ class FaultHandling {
   /// fault, and files of the black box.
   std::vector<std::string> news();
 
+  /// Ends the black box, which first writes what it still has to; news() has that afterwards.
+  void end() { box_.reset(); }
+
  private:
   struct Known {
     const Component* component;

@@ -66,6 +66,8 @@ class Host {
   /// Returns what else has happened since the last call, a line each: what the machine does not
   /// grant, restarts after faults, files of the black box, messages.
   std::vector<std::string> news();
+  /// Before the last news(): waits for the files of the black box.
+  void endBlackBox() { faults_->end(); }
 
  private:
   void createComponents(std::span<const ComponentClass> classes);

@@ -126,6 +126,7 @@ class Run {
       reportDue += interval_;
     }
     const Time ending = now();
+    host_.endBlackBox();
     watch(true);
     reports_.flush(kLastWords);
     reports_.report(observe(host_.manager(), began_));

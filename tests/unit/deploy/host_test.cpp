@@ -398,6 +398,19 @@ TEST(Host, ABlackBoxKeepsWhatTheFileSays) {
   EXPECT_TRUE(std::filesystem::exists(news[0].substr(news[0].rfind(' ') + 1))) << news[0];
 }
 
+// A process that ends while a file is written told of the fault, and not where its state is.
+TEST(Host, HasTheNewsOfABlackBoxThatHasEnded) {
+  const suture::TemporaryDirectory directory;
+  const Deployment deployment = boxed(directory.file(""));
+  Host host(deployment, "all", kClasses);
+  host.start();
+  EXPECT_EQ(troublesOf(host).size(), 1u);
+  host.endBlackBox();
+  const auto news = host.news();
+  ASSERT_EQ(news.size(), 1u);
+  EXPECT_TRUE(news[0].starts_with("black box: component 'T' faulted: ")) << news[0];
+}
+
 TEST(Host, TellsWhatComponentsSay) {
   const std::array classes{ComponentClass{"Talking", createWithoutParameters<Talking>}};
   const Deployment deployment = deploymentOf(R"({"name": "T", "class": "Talking"})");
