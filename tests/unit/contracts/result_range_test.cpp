@@ -14,14 +14,8 @@ namespace {
 using contracts::Share;
 using suture::Errc;
 
-/// Answers what the test says, and runs a cycle only when the test calls cycle().
-struct Teller final : suture::Task, Share {
-  Teller() { start(); }
-  ~Teller() override { stop(); }
-  void start() override { enter(); }
-  void stop() override { leave(); }
-  using Task::cycle;
-
+/// Answers what the test says.
+struct Answers final : Share {
   double share() const override { return answer; }
   std::int32_t shares(bool) const override { return static_cast<std::int32_t>(answer); }
   double take(double) override { return answer; }
@@ -29,7 +23,18 @@ struct Teller final : suture::Task, Share {
 
   double answer = 1;
   double reached = std::numeric_limits<double>::infinity();
-  suture::Provided<Share> port{*this, "Share", *this};
+};
+
+/// Runs a cycle only when the test calls cycle().
+struct Teller final : suture::Task {
+  Teller() { start(); }
+  ~Teller() override { stop(); }
+  void start() override { enter(); }
+  void stop() override { leave(); }
+  using Task::cycle;
+
+  Answers answers;
+  suture::Provided<Share> port{*this, "Share", answers};
 
  private:
   void run() override {}
@@ -69,7 +74,7 @@ TEST_F(ResultRange, WhatLiesWithinArrives) {
 }
 
 TEST_F(ResultRange, WhatLiesOutsideIsInvalid) {
-  teller_.answer = 2;
+  teller_.answers.answer = 2;
   EXPECT_EQ(errorOf(asker_.from.share), Errc::Invalid);
   EXPECT_EQ(answerOf(asker_.from.shares.start(true)), Errc::Invalid);
   EXPECT_EQ(answerOf(asker_.from.take.start(1)), Errc::Invalid);
@@ -77,7 +82,7 @@ TEST_F(ResultRange, WhatLiesOutsideIsInvalid) {
 
 TEST_F(ResultRange, InfinityPassesWhereTheRangeHasIt) {
   EXPECT_EQ(errorOf(asker_.from.reach), Errc{});
-  teller_.reached = -1;
+  teller_.answers.reached = -1;
   EXPECT_EQ(errorOf(asker_.from.reach), Errc::Invalid);
 }
 
