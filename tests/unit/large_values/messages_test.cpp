@@ -9,6 +9,7 @@
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -64,9 +65,11 @@ class MessagesBy : public testing::TestWithParam<Lane> {
     town_.add("Viewer", viewer_);
     town_.add("Neighbour", neighbour_);
     town_.start();
+    // A sanitizer makes a thread that converts such values slow, which is not to count as hung.
+    constexpr suture::Duration kSilence = std::chrono::seconds(60);
     for (const std::string one : {"Viewer", "Neighbour"}) {
       town_.connect(one + "/Canvas", "studio:Painter/Canvas",
-                    {.lane = GetParam(), .laneRequired = true});
+                    {.lane = GetParam(), .laneRequired = true, .contract = {.silence = kSilence}});
     }
   }
   ~MessagesBy() override {

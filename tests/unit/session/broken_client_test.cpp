@@ -83,6 +83,12 @@ class Client : public reference::PlayedClient {
   /// Connects to the arm so often by shared memory, and keeps back the bells that the process
   /// needs.
   void askForSharedArm(std::size_t times) {
+    constexpr std::size_t kBatch = 64;  // a slow process has to read each message within seconds
+    for (std::size_t asked = 0; asked < times; asked += kBatch) {
+      askForSharedArmAtOnce(std::min(kBatch, times - asked));
+    }
+  }
+  void askForSharedArmAtOnce(std::size_t times) {
     control_.run(kPatience, [this, times] {
       wire::Peer::Client robot = peer();
       for (std::size_t i = 0; i < times; ++i) {
