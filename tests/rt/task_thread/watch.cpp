@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <utility>
 
@@ -22,10 +23,22 @@ namespace {
 // may do what is watched for.
 constinit thread_local Watch* current = nullptr;
 
-// The kernel moves pages of busy machines to other places (compaction), and whoever touches one
-// next has a fault that no code of ours has made: one in a million cycles was seen. What a cycle
-// does itself, it does again and again.
+// The kernel moves pages of busy machines to other places (compaction, huge pages) and takes pages
+// of files back, and whoever touches one next has a fault that no code of ours has made. So few are
+// put down to that, and only if the kernel says that it has done so meanwhile.
 constexpr std::uint64_t kMovedPages = 3;
+
+/// Returns how many pages the kernel has moved or taken back since the machine started.
+std::uint64_t movedPages() {
+  std::ifstream counts("/proc/vmstat");
+  std::uint64_t sum = 0, count = 0;
+  for (std::string name; counts >> name >> count;) {
+    const bool moves = name == "pgmigrate_success" || name == "thp_collapse_alloc" ||
+                       name == "pgsteal_kswapd" || name == "pgsteal_direct";
+    if (moves) sum += count;
+  }
+  return sum;
+}
 
 std::uint64_t pageFaults() {
   rusage usage{};
@@ -59,6 +72,7 @@ void Watch::begin() {
   void* frames[kMaxFrames];
   backtrace(frames, kMaxFrames);  // the first one loads a library
   trapSystemCallsOfThisThread();
+  movedBefore_ = movedPages();
   faultsBefore_ = pageFaults();
   current = this;
 }
@@ -66,7 +80,8 @@ void Watch::begin() {
 void Watch::end() {
   current = nullptr;
   const std::uint64_t faults = pageFaults() - faultsBefore_;
-  if (faults > kMovedPages) {
+  const bool moved = movedPages() != movedBefore_;
+  if (faults > (moved ? kMovedPages : 0)) {
     record("page fault");
     findings_.back().count = faults;
     findings_.back().frameCount = 0;  // no watch saw where
