@@ -14,10 +14,30 @@
 
 namespace robots {
 
+/// Tells if what a provider has reported by events still counts. One that is suspended says nothing
+/// new when it goes on, because its connection is the same; a connection made anew begins with it.
+class Hearing {
+ public:
+  explicit Hearing(suture::RequiredBase& interface) : interface_(interface) {}
+
+  /// Call this once a cycle. Returns false if what was reported has to be forgotten.
+  bool look() {
+    const suture::Errc why = interface_.unusable();
+    counts_ = why == suture::Errc{};
+    return why != suture::Errc::Lost && why != suture::Errc::NotConnected;
+  }
+  /// Returns true if the provider could report a change now.
+  bool counts() const { return counts_; }
+
+ private:
+  suture::RequiredBase& interface_;
+  bool counts_ = false;
+};
+
 /// Is an arm, which gets power, homes, and is disabled.
 class ArmPart {
  public:
-  explicit ArmPart(suture::Required<Arm>& arm) : arm_(arm) {
+  explicit ArmPart(suture::Required<Arm>& arm) : arm_(arm), hearing_(arm) {
     arm_.on().operating_state([this](const OperatingState& state) {
       state_ = state.state;
       homed_ = state.is_homed;
@@ -30,15 +50,15 @@ class ArmPart {
 
   const std::string& name() const { return arm_.name(); }
 
-  /// Call this once a cycle. What an arm has reported counts only as long as it is connected.
+  /// Call this once a cycle.
   void look() {
-    if (arm_.connected()) return;
+    if (hearing_.look()) return;
     state_ = ArmState::Undefined;
     homed_ = busy_ = false;
   }
   /// Returns true if it has reported its state, and may have power.
-  bool isThere() const { return state_ != ArmState::Undefined; }
-  bool isEnabled() const { return state_ == ArmState::Enabled; }
+  bool isThere() const { return hearing_.counts() && state_ != ArmState::Undefined; }
+  bool isEnabled() const { return hearing_.counts() && state_ == ArmState::Enabled; }
   bool isHomed() const { return isEnabled() && homed_; }
   bool isReady() const { return isHomed() && !busy_; }
   bool isDown() const { return !isThere() || state_ == ArmState::Disabled; }
@@ -55,6 +75,7 @@ class ArmPart {
 
  private:
   suture::Required<Arm>& arm_;
+  Hearing hearing_;
   ArmState state_ = ArmState::Undefined;
   bool homed_ = false;
   bool busy_ = false;
@@ -66,6 +87,7 @@ class MoverPart {
  public:
   explicit MoverPart(suture::Required<Teleoperation>& teleoperation)
       : interface_(teleoperation),
+        hearing_(teleoperation),
         enable_([&teleoperation] { (void)teleoperation.enable(); }),
         disable_([&teleoperation] { (void)teleoperation.disable(); }) {
     teleoperation.on().teleop_state(
@@ -73,6 +95,7 @@ class MoverPart {
   }
   explicit MoverPart(suture::Required<Guidance>& guidance)
       : interface_(guidance),
+        hearing_(guidance),
         enable_([&guidance] { (void)guidance.enable(); }),
         disable_([&guidance] { (void)guidance.disable(); }) {
     guidance.on().guidance_state(
@@ -85,10 +108,10 @@ class MoverPart {
 
   /// Call this once a cycle, as for an arm.
   void look() {
-    if (!interface_.connected()) heard_ = false;
+    if (!hearing_.look()) heard_ = false;
   }
-  bool isThere() const { return heard_; }
-  bool isReady() const { return heard_ && !disabled_; }
+  bool isThere() const { return hearing_.counts() && heard_; }
+  bool isReady() const { return isThere() && !disabled_; }
   bool isDown() const { return !isReady(); }
 
   void enable() { enable_(); }
@@ -101,6 +124,7 @@ class MoverPart {
   }
 
   suture::RequiredBase& interface_;
+  Hearing hearing_;
   const std::function<void()> enable_, disable_;
   bool heard_ = false;
   bool disabled_ = true;

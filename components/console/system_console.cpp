@@ -32,6 +32,7 @@ Part* firstThatIsNot(const std::vector<Part*>& parts, const Is& is) {
 SystemConsole::SystemConsole(const SystemConsoleParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
       parameters_(parameters),
+      stopHearing_(stop_),
       byItself_(parameters.bring_up_by_itself) {
   text_.reserve(kLongestText);
   stop_.on().stop([this](const StopNews& news) { released_ = !news.pressed; });
@@ -75,7 +76,7 @@ void SystemConsole::bring_down() {
 }
 
 void SystemConsole::look() {
-  if (!stop_.connected()) released_ = false;
+  if (!stopHearing_.look()) released_ = false;
   for (ArmPart* one : arms_) one->look();
   for (MoverPart* one : movers_) one->look();
 }
@@ -83,7 +84,7 @@ void SystemConsole::look() {
 std::string_view SystemConsole::missing() {
   text_.clear();
   unnamed_ = 0;
-  if (!released_) nameMissing("the emergency stop", "is pressed, or says nothing");
+  if (!isReleased()) nameMissing("the emergency stop", "is pressed, or says nothing");
   for (const ArmPart* one : arms_) {
     if (!one->isThere()) nameMissing(one->name(), "has no power permitted, or says nothing");
   }
@@ -157,7 +158,7 @@ void SystemConsole::enableMovers() {
 }
 
 bool SystemConsole::isBroken() {
-  if (!released_) {
+  if (!isReleased()) {
     undoBringUp("the emergency stop", {"was pressed meanwhile, or says nothing any more"});
     return true;
   }
@@ -172,7 +173,7 @@ bool SystemConsole::isBroken() {
 void SystemConsole::watch() {
   const auto isHomed = [](const ArmPart* one) { return one->isHomed(); };
   const auto isReady = [](const MoverPart* one) { return one->isReady(); };
-  const bool complete = released_ && std::all_of(arms_.begin(), arms_.end(), isHomed) &&
+  const bool complete = isReleased() && std::all_of(arms_.begin(), arms_.end(), isHomed) &&
                         std::all_of(movers_.begin(), movers_.end(), isReady);
   if (complete == (state_ == ConsoleState::Up)) return;
   enter(complete ? ConsoleState::Up : ConsoleState::Incomplete);

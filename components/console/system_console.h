@@ -49,6 +49,8 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
  private:
   void choose(const std::string& name);
   void look();
+  /// Returns true if the stop says that it is released.
+  bool isReleased() const { return stopHearing_.counts() && released_; }
   /// Returns for people what keeps the system from being brought up; "" if nothing does. It is
   /// valid until the next call.
   std::string_view missing();
@@ -85,7 +87,8 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
 
   std::vector<ArmPart*> arms_;      // of the system, in order
   std::vector<MoverPart*> movers_;  // of the system, in order
-  bool released_ = false;           // the stop
+  Hearing stopHearing_;
+  bool released_ = false;  // the stop, as it was reported
   bool byItself_;
   ConsoleState state_ = ConsoleState::Down;
   std::size_t done_ = 0;             // parts that are enabled, or have been left

@@ -333,6 +333,20 @@ TEST_F(ConsoleTest, IsIncompleteWhileAPartIsNotConnected) {
   EXPECT_TRUE(becomes(ConsoleState::Up));
 }
 
+TEST_F(ConsoleTest, BelievesAPartAgainThatWasSuspended) {
+  begin();
+  release();
+  bringUp();
+  ASSERT_TRUE(becomes(ConsoleState::Up));
+  for (const char* const one : {"Coordinator", "MTML", "TeleopL"}) {
+    manager_.suspend(one);
+    EXPECT_TRUE(becomes(ConsoleState::Incomplete)) << one;
+    manager_.resume(one);
+    EXPECT_TRUE(onlooker_.teleop.enable());
+    EXPECT_TRUE(becomes(ConsoleState::Up)) << one;
+  }
+}
+
 TEST(ConsoleParts, AreKnownNamedOnceAndArmsFirst) {
   const auto refusalOf = [](const Names& system) {
     return suture::refusal([&] { SystemConsole({.system = system}); });
