@@ -7,6 +7,10 @@ namespace robots {
 Assistant::Assistant(const AssistantParameters& parameters)
     : PeriodicTask({.period = parameters.period}), parameters_(parameters) {
   stop_.on().stop([this](const StopNews& news) { hear(news); });
+  console_.on().console_state([this](const ConsoleState& state) {
+    wasUp_ = wasUp_ || state == ConsoleState::Up;
+    tell(consoleWaits_, state == ConsoleState::Down && !wasUp_);
+  });
   left_.on().teleop_state(
       [this](const TeleopState& state) { tell(leftWaits_, state == TeleopState::Preparing); });
   right_.on().teleop_state(
@@ -20,6 +24,7 @@ void Assistant::run() {
   const suture::Time now = suture::now();
   followScript(now);
   if (pressed_) return;
+  bringUpAgain(now);
   attend(left_, leftWaits_, now);
   attend(right_, rightWaits_, now);
   attend(guidance_, guidanceWaits_, now);
@@ -73,9 +78,17 @@ bool Assistant::mayAskAgain(suture::Time now) {
 
 template <class Contract>
 void Assistant::attend(suture::Required<Contract>& one, Waiting& waiting, suture::Time now) {
-  if (!waiting || !one.connected()) return;
-  if (now - std::max(*waiting, released_) < parameters_.patience) return;
-  if (one.enable()) waiting = now;
+  if (one.connected() && hasWaited(waiting, now) && one.enable()) waiting = now;
+}
+
+void Assistant::bringUpAgain(suture::Time now) {
+  if (console_.connected() && hasWaited(consoleWaits_, now) && console_.bring_up()) {
+    consoleWaits_ = now;
+  }
+}
+
+bool Assistant::hasWaited(const Waiting& waiting, suture::Time now) const {
+  return waiting && now - std::max(*waiting, released_) >= parameters_.patience;
 }
 
 void Assistant::tell(Waiting& waiting, bool waits) {

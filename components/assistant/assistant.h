@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "console/console.suture.h"
 #include "coordinator/emergency_stop.suture.h"
 #include "guidance/guidance.suture.h"
 #include "teleop/teleoperation.suture.h"
@@ -22,15 +23,16 @@ struct SUTURE_TYPE() AssistantParameters {
   suture::Duration press_after{};
   /// It releases what it has pressed this much later.
   suture::Duration release_after = std::chrono::seconds(1);
-  /// It enables what has waited for its arms for this long, with power permitted. A person would
-  /// look first.
+  /// It enables what has waited for its arms for this long, and brings up what has been down for
+  /// this long after a bring-up that failed, with power permitted. A person would look first.
   suture::Duration patience = std::chrono::milliseconds(500);
 };
 
 /// Releases the stop that it finds pressed when it starts, because a coordinator starts pressed,
 /// and presses and releases it once by the script. Later it releases no stop that somebody else has
 /// pressed, and does not press one more. It enables what it is connected to whenever that waits for
-/// its arms: after a stop, and after drives stopped by themselves.
+/// its arms: after a stop, and after drives stopped by themselves. It brings a system up again that
+/// goes down before it was up; later that is how somebody wants it.
 class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
  public:
   explicit Assistant(const AssistantParameters& parameters);
@@ -42,7 +44,7 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
 
   void hear(const StopNews& news);
 
-  /// Is the time since when something waits for its arms; none if it does not.
+  /// Is the time since when something waits for the assistant; none if it does not.
   using Waiting = std::optional<suture::Time>;
 
   void followScript(suture::Time now);
@@ -50,10 +52,13 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
   bool mayAskAgain(suture::Time now);
   template <class Contract>
   void attend(suture::Required<Contract>& one, Waiting& waiting, suture::Time now);
+  void bringUpAgain(suture::Time now);
+  bool hasWaited(const Waiting& waiting, suture::Time now) const;
   static void tell(Waiting& waiting, bool waits);
 
   const AssistantParameters parameters_;
   suture::Required<EmergencyStop> stop_{*this, "Stop"};
+  SUTURE_REQUIRED(optional()) suture::Required<Console> console_{*this, "Console"};
   SUTURE_REQUIRED(optional()) suture::Required<Teleoperation> left_{*this, "Left"};
   SUTURE_REQUIRED(optional()) suture::Required<Teleoperation> right_{*this, "Right"};
   SUTURE_REQUIRED(optional()) suture::Required<Guidance> guidance_{*this, "Guidance"};
@@ -64,7 +69,8 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
   bool pressed_ = true;        // by anybody
   suture::Time released_;      // when power was permitted last
   unsigned pressesHeard_ = 0;  // since it has pressed itself
-  Waiting leftWaits_, rightWaits_, guidanceWaits_;
+  bool wasUp_ = false;         // the system
+  Waiting consoleWaits_, leftWaits_, rightWaits_, guidanceWaits_;
 };
 
 }  // namespace robots

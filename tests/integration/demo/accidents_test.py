@@ -170,7 +170,7 @@ class Workstation(unittest.TestCase):
         process = self.workstation(TOPOLOGIES / "single.json", "--seconds", "0.5")
         report = self.await_message(process, "report")
         self.assertEqual(report["process"], "console")
-        self.assertEqual(len(report["connections"]), 40)
+        self.assertEqual(len(report["connections"]), 41)
         self.assertEqual(len(report["tasks"]), 19)
         self.assertEqual(process.wait(timeout=60), 0)
 

@@ -63,11 +63,11 @@ class Topologies(unittest.TestCase):
                           'TeleopR/frames/Slave/reference "PSM1_base" "PSM2_base"',
                           "TeleopL/Jaw PSM2/Jaw PSM1/Jaw", "TeleopL/Slave PSM2/Arm PSM1/Arm",
                           "TeleopR/Jaw PSM1/Jaw PSM2/Jaw", "TeleopR/Slave PSM1/Arm PSM2/Arm"])
-        self.assertIn("19 of 19 components run in the same process, 36 of 40 connections lead to the same provider.", text)
+        self.assertIn("19 of 19 components run in the same process, 37 of 41 connections lead to the same provider.", text)
         self.assertIn(hashlib.sha256((PROGRAMS / "suture-workstation").read_bytes()).hexdigest(), text)
         text = compared("single", "fig3a")
         self.assertRegex(text, r"(?m)^PSM1 +console +right$")
-        self.assertIn("0 of 19 components run in the same process, 40 of 40 connections lead to the same provider.", text)
+        self.assertIn("0 of 19 components run in the same process, 41 of 41 connections lead to the same provider.", text)
         with tempfile.TemporaryDirectory() as folder:
             changed = pathlib.Path(folder) / "changed.json"
             fig3a = (TOPOLOGIES / "fig3a.json").read_text()

@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "assistant/assistant.h"
+#include "console/system_console.h"
 #include "coordinator/coordinator.h"
 #include "integration/teleoperation/scene/driven_arm.h"
 #include "support/pass.h"
@@ -22,6 +23,7 @@ using suture::pass;
 /// Is another hand at the stop.
 struct Bystander final : suture::Device {
   suture::Required<EmergencyStop> button{*this, "Stop"};
+  suture::Required<Console> console{*this, "Console"};
 };
 
 class AssistantTest : public testing::Test {
@@ -45,6 +47,25 @@ class AssistantTest : public testing::Test {
     }
     manager_.start();
   }
+  /// Also starts a console that brings all of it up by itself, once.
+  void startWithConsole() {
+    console_.emplace(
+        SystemConsoleParameters{.system = {"MTML", "PSM2", "TeleopL"}, .bring_up_by_itself = true});
+    manager_.add("Console", *console_);
+    start(0s);
+    manager_.connect("Console/Stop", "Coordinator/Stop");
+    manager_.connect("Console/MTML", "MTM/Arm");
+    manager_.connect("Console/PSM2", "PSM/Arm");
+    manager_.connect("Console/TeleopL", "Teleop/Teleoperation");
+    manager_.connect("Assistant/Console", "Console/Console");
+    manager_.connect("Bystander/Console", "Console/Console");
+  }
+  /// Makes the permit of the drives lapse, as a machine does that stands still.
+  void letPermitLapse() {
+    manager_.suspend("Coordinator");
+    pass(100ms);
+    manager_.resume("Coordinator");
+  }
   bool follows() const { return teleop_.teleop_state() == TeleopState::Following; }
   bool mayHavePower() const { return coordinator_.permit().granted; }
   template <class Condition>
@@ -58,6 +79,7 @@ class AssistantTest : public testing::Test {
   Teleop teleop_{TeleopParameters{}};
   Bystander bystander_;
   std::optional<Assistant> assistant_;
+  std::optional<SystemConsole> console_;
   suture::Manager manager_{"workstation"};
 };
 
@@ -120,13 +142,30 @@ TEST_F(AssistantTest, KeepsAStopThatAnotherHasPressedToo) {
 TEST_F(AssistantTest, EnablesAgainWhatStoppedByItselfButNotAtOnce) {
   start(0s);
   ASSERT_TRUE(until([this] { return follows(); }));
-  manager_.suspend("Coordinator");
-  pass(100ms);
-  manager_.resume("Coordinator");
+  letPermitLapse();
   pass(300ms);
   EXPECT_FALSE(follows()) << "a permit that lapsed is no reason to go on";
   pass(500ms);
   EXPECT_TRUE(until([this] { return follows(); }));
+}
+
+TEST_F(AssistantTest, BringsUpAgainWhatWentDownBeforeItWasUp) {
+  startWithConsole();
+  ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Homing; }));
+  letPermitLapse();
+  pass(300ms);
+  EXPECT_EQ(console_->console_state(), ConsoleState::Down) << "a person would look first";
+  EXPECT_TRUE(until([this] { return console_->console_state() == ConsoleState::Up; }));
+  EXPECT_TRUE(until([this] { return follows(); }));
+}
+
+TEST_F(AssistantTest, LeavesASystemDownThatSomebodyHasBroughtDown) {
+  startWithConsole();
+  ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Up; }));
+  ASSERT_TRUE(bystander_.console.bring_down());
+  ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Down; }));
+  pass(5s);
+  EXPECT_EQ(console_->console_state(), ConsoleState::Down);
 }
 
 }  // namespace
