@@ -54,8 +54,9 @@ ArmController<N>::ArmController(const ArmModel<N>& model)
     : model_(model),
       watch_(boundsOf(model), model.watch),
       inserted_(!model.insertion),
-      setpoint_(Joints::Zero()),
-      setpointRate_(model.rate_limit),
+      setpoint_({.lower = model.chain.lower(),
+                 .upper = model.chain.upper(),
+                 .motion = {model.rate_limit, model.acceleration_limit}}),
       measuredJs_(blank<N>(model.joint_names)),
       setpointJs_(measuredJs_) {
   measuredJs_.velocity.resize(N);
@@ -99,9 +100,8 @@ void ArmController<N>::startAnew() {
 template <int N>
 void ArmController<N>::restIn(ArmState state, const char* activity) {
   endMove(false);
-  setpoint_ = reading_.position;
+  setpoint_.rest(reading_.position);
   setpointStamp_ = {};
-  setpointRate_.rest(setpoint_);
   watch_.resetOverloads();
   enter(state, activity);
 }
@@ -110,7 +110,7 @@ template <int N>
 void ArmController<N>::hold() {
   if (!mayMove()) return;
   endMove(false);
-  setpointRate_.rest(setpoint_);
+  setpoint_.rest(setpoint());
   enter(ArmState::Enabled, "holding");
 }
 
@@ -119,7 +119,7 @@ std::optional<typename ArmController<N>::ServoTarget> ArmController<N>::target(
     const PoseStamped& goal) {
   if (!mayMoveTip()) return std::nullopt;
   if (!isPose(goal)) return refused(ArmWarning::Malformed);
-  const auto solution = model_.solve(goal.pose, setpoint_, kinematics::Postures::Near);
+  const auto solution = model_.solve(goal.pose, setpoint(), kinematics::Postures::Near);
   if (!solution.found && !solution.limited) return refused(ArmWarning::OutOfReach);
   return ServoTarget{solution.q, solution.limited};
 }
@@ -173,7 +173,7 @@ template <int N>
 JointSolution ArmController<N>::inverse_kinematics(const PoseStamped& goal) const {
   JointSolution answer;
   if (!isPose(goal)) return answer;
-  const auto solution = model_.solve(goal.pose, setpoint_, kinematics::Postures::All);
+  const auto solution = model_.solve(goal.pose, setpoint(), kinematics::Postures::All);
   std::copy_n(solution.q.data(), N, answer.position.begin());
   answer.joints = N;
   answer.found = solution.found;
@@ -192,15 +192,8 @@ void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N
     fail({ArmWarning::FollowingError, *joint}, "following error");
   }
   if (servoing_.hasFallenSilent(now)) hold();
-  if (line_) setpoint_ = line_->at(now);
-  if (move_) {
-    const double t = secondsBetween(moveStart_, now);
-    setpoint_ = model_.chain.clamp(move_->at(t));  // it may brake beyond a limit
-    if (t >= move_->duration()) endMove(true);
-  }
-  setpointRate_.update(now, setpoint_);
+  if (setpoint_.step(now)) endMove(true);
   publish(now);
-  begun_ = false;
 }
 
 /// After a pause the arm does not go on with what it did, but does what it was asked for since
@@ -208,19 +201,10 @@ void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N
 /// power: else the set-point would run ahead, and the joints after it.
 template <int N>
 void ArmController<N>::goOnFrom(bool paused) {
-  if (paused && !begun_) return restIn(ArmState::Enabled, "holding");
-  if (paused || reading_.power != DrivePower::On) beginAnew();
-}
-
-template <int N>
-void ArmController<N>::beginAnew() {
-  setpoint_ = reading_.position;
-  setpointRate_.rest(setpoint_);
+  if (paused && !setpoint_.hasBegun()) return restIn(ArmState::Enabled, "holding");
+  if (!paused && reading_.power == DrivePower::On) return;
+  setpoint_.beginAnew(reading_.position, lastStep_);
   watch_.resetOverloads();
-  if (move_) planMove(move_->to());
-  if (line_) {
-    line_ = JointLine<N>(setpoint_, line_->to(), model_.rate_limit, lastStep_, line_->wanted());
-  }
 }
 
 template <int N>
@@ -233,7 +217,7 @@ void ArmController<N>::take(const std::optional<DriveReading<N>>& drives) {
     obeyPower();
     if (fault) obey(*fault);
     // Without power the brakes hold the joints; after a silence they may be anywhere.
-    if (!powered() || !wasHeard) setpoint_ = reading_.position;
+    if (!powered() || !wasHeard) setpoint_.put(reading_.position);
   } else if (powered()) {
     restIn(ArmState::Fault, "drives silent");
     warnings_.tell(ArmWarning::DrivesSilent);
@@ -263,7 +247,7 @@ void ArmController<N>::obeyInsertion() {
 template <int N>
 std::optional<int> ArmController<N>::trailing() const {
   if (state_.state != ArmState::Enabled) return std::nullopt;
-  const Joints error = model_.chain.clamp(setpoint_) - reading_.position;
+  const Joints error = model_.chain.clamp(setpoint()) - reading_.position;
   for (int i = 0; i < N; ++i) {
     if (std::abs(error[i]) > model_.following_error[i]) return i;
   }
@@ -315,7 +299,7 @@ bool ArmController<N>::mayMoveTip() {
 
 template <int N>
 void ArmController<N>::enter(ArmState state, const char* activity) {
-  const bool busy = move_.has_value();
+  const bool busy = setpoint_.isMoving();
   warnings_.obey();
   if (state_.state == state && state_.sub_state == activity && state_.is_busy == busy) return;
   state_.state = state;
@@ -328,29 +312,18 @@ void ArmController<N>::enter(ArmState state, const char* activity) {
 template <int N>
 void ArmController<N>::startMove(const Joints& goal, bool homing) {
   endMove(false);
-  planMove(goal);
-  begun_ = true;
+  setpoint_.move(goal, lastStep_);
   homing_ = homing;
   setpointStamp_ = {};
   enter(ArmState::Enabled, homing ? "homing" : "moving");
 }
 
 template <int N>
-void ArmController<N>::planMove(const Joints& goal) {
-  const typename JointMove<N>::Limits limits{model_.rate_limit, model_.acceleration_limit};
-  move_ = JointMove<N>({setpoint_, setpointRate_.rate()}, goal, limits, moveRatios_);
-  moveStart_ = lastStep_;
-}
-
-template <int N>
 void ArmController<N>::endMove(bool reached) {
   servoing_.end();
   streamer_ = nullptr;
-  line_.reset();
-  begun_ = false;
   sliding_ = false;
-  if (!move_) return;
-  move_.reset();
+  if (!setpoint_.end()) return;
   moveEnded_ = reached;
   if (!reached) return;
   state_.is_homed = state_.is_homed || homing_;
@@ -361,7 +334,7 @@ template <int N>
 void ArmController<N>::follow(const Joints& setpoint, suture::Time goalStamp,
                               const char* activity) {
   endMove(false);
-  setpoint_ = setpoint;
+  setpoint_.put(setpoint);
   setpointStamp_ = goalStamp;
   enter(ArmState::Enabled, activity);
 }
@@ -382,7 +355,7 @@ template <int N>
 void ArmController<N>::servo(const ServoTarget& target, suture::Time goalStamp,
                              const char* activity) {
   const Joints furthest = model_.servo_horizon * model_.rate_limit;
-  const Joints step = target.q - setpoint_;
+  const Joints step = target.q - setpoint();
   if ((step.cwiseAbs().array() > furthest.array()).any()) return warn(ArmWarning::StepTooFar);
   const bool slid = sliding_;
   followStream(target.q, goalStamp, activity);
@@ -393,17 +366,10 @@ void ArmController<N>::servo(const ServoTarget& target, suture::Time goalStamp,
 template <int N>
 void ArmController<N>::interpolate(const ServoTarget& target, suture::Time goalStamp,
                                    const char* activity) {
-  constexpr double kLongest = 0.5;  // s; goals further apart are no stream
-  double wanted = 0;
-  if (line_) {
-    const double since = secondsBetween(line_->begin(), lastStep_);
-    if (since < kLongest) wanted = since > 0 ? since : line_->wanted();  // two goals in one cycle
-  }
-  const JointLine<N> line(setpoint_, target.q, model_.rate_limit, lastStep_, wanted);
+  const double wanted = setpoint_.untilNextGoal(lastStep_);
   const bool slid = sliding_;
-  followStream(setpoint_, goalStamp, activity);
-  line_ = line;
-  begun_ = true;
+  followStream(setpoint(), goalStamp, activity);
+  setpoint_.interpolate(target.q, lastStep_, wanted);
   slide(target.limited, slid);
 }
 
@@ -435,10 +401,10 @@ void ArmController<N>::publish(suture::Time now) {
   Joints::Map(measuredJs_.velocity.data()) = reading_.velocity;
   measuredJs_.effort.resize(reading_.measures_effort ? N : 0);
   std::copy_n(reading_.effort.data(), measuredJs_.effort.size(), measuredJs_.effort.begin());
-  place<N>(setpointJs_, setpoint_, now, known);
+  place<N>(setpointJs_, setpoint(), now, known);
   measuredCp_ = {model_.chain.forward(reading_.position), reading_.stamp, measuredJs_.valid};
   const suture::Time stamp = setpointStamp_ == suture::Time{} ? now : setpointStamp_;
-  setpointCp_ = {model_.chain.forward(setpoint_), stamp, known};
+  setpointCp_ = {model_.chain.forward(setpoint()), stamp, known};
 }
 
 template class ArmController<6>;

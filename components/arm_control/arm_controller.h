@@ -13,9 +13,7 @@
 #include "arm/arm_warning.h"
 #include "arm_control/drive_reading.h"
 #include "arm_control/drive_watch.h"
-#include "arm_control/motion/joint_line.h"
-#include "arm_control/motion/joint_move.h"
-#include "arm_control/motion/setpoint_rate.h"
+#include "arm_control/motion/setpoint.h"
 #include "arm_control/operating_states.h"
 #include "arm_control/warnings.h"
 #include "dynamics/arm_dynamics.h"
@@ -118,7 +116,7 @@ class ArmController {
   bool powered() const {
     return state_.state == ArmState::Enabled || state_.state == ArmState::Paused;
   }
-  const Joints& setpoint() const { return setpoint_; }
+  const Joints& setpoint() const { return setpoint_.joints(); }
 
   /// Returns the client whose command is being executed; null if it cannot be gone before the arm
   /// is.
@@ -150,10 +148,7 @@ class ArmController {
   }
   void enter(ArmState state, const char* activity);
   void goOnFrom(bool paused);
-  /// Begins what leads to a goal anew, from where the joints are.
-  void beginAnew();
   void startMove(const Joints& goal, bool homing);
-  void planMove(const Joints& goal);
   void endMove(bool reached);
   void follow(const Joints& setpoint, suture::Time goalStamp, const char* activity);
   /// Does the same for a set-point that a client streams.
@@ -171,8 +166,6 @@ class ArmController {
   void servo(const ServoTarget& target, suture::Time goalStamp, const char* activity);
   /// Follows a goal that the set-point shall reach when the next one comes.
   void interpolate(const ServoTarget& target, suture::Time goalStamp, const char* activity);
-  /// Returns where the set-point will be, unless another command comes.
-  Joints interpolated() const { return line_ ? line_->to() : setpoint_; }
   /// Warns when the arm begins to slide along a limit.
   void slide(bool limited, bool slid);
   /// Forgets what has happened, once it has been reported.
@@ -186,18 +179,12 @@ class ArmController {
   bool heard_ = false;       // in this cycle there is a reading
   suture::Time permitted_;   // the permit of power under which the arm was enabled
   suture::Time lastStep_;
-  Joints setpoint_;
-  SetpointRate<N> setpointRate_;
+  Setpoint<N> setpoint_;
   suture::Time setpointStamp_;  // of the streamed goal it came from; unset otherwise
-  std::optional<JointMove<N>> move_;
-  suture::Time moveStart_;            // the cycle that its first set-point is of
-  bool begun_ = false;                // a move or a line has, since the last step
-  std::optional<JointLine<N>> line_;  // to the last goal that is interpolated
   bool homing_ = false;
   StreamWatch servoing_;                               // any other activity of the arm ends it
   const suture::ConnectedClient* streamer_ = nullptr;  // whose stream is followed
   bool sliding_ = false;                               // along a joint limit
-  MoveRatios moveRatios_;
 
   JointState measuredJs_, setpointJs_;
   PoseStamped measuredCp_, setpointCp_;

@@ -104,7 +104,7 @@ PoseStamped CrtkArm<N>::stepped(const Joints& from, const PoseStamped& step) con
 template <int N>
 void CrtkArm<N>::free() {
   if (!arm_.mayMove()) return;
-  arm_.follow(arm_.setpoint_, {}, "free");
+  arm_.follow(arm_.setpoint(), {}, "free");
   stream_.release("free");
 }
 
@@ -125,19 +125,19 @@ std::optional<typename ArmController<N>::ServoTarget> CrtkArm<N>::stepped(const 
 
 template <int N>
 void CrtkArm<N>::servo_jr(const JointGoal& step) {
-  if (const auto to = stepped(arm_.setpoint_, step)) arm_.servo(*to, step.stamp, "servo_jr");
+  if (const auto to = stepped(arm_.setpoint(), step)) arm_.servo(*to, step.stamp, "servo_jr");
 }
 
 template <int N>
 void CrtkArm<N>::interpolate_jr(const JointGoal& step) {
-  const auto to = stepped(arm_.interpolated(), step);
+  const auto to = stepped(arm_.setpoint_.endOfLine(), step);
   if (to) arm_.interpolate(*to, step.stamp, "interpolate_jr");
 }
 
 template <int N>
 void CrtkArm<N>::interpolate_cr(const PoseStamped& step) {
   if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
-  arm_.interpolate_cp(stepped(arm_.interpolated(), step));
+  arm_.interpolate_cp(stepped(arm_.setpoint_.endOfLine(), step));
 }
 
 template <int N>
@@ -164,7 +164,7 @@ void CrtkArm<N>::drive(const std::optional<JointStreamGoal<N>>& goal, const char
 template <int N>
 void CrtkArm<N>::servo_cr(const PoseStamped& step) {
   if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
-  arm_.servo_cp(stepped(arm_.setpoint_, step));
+  arm_.servo_cp(stepped(arm_.setpoint(), step));
 }
 
 template <int N>
@@ -207,7 +207,7 @@ void CrtkArm<N>::move_jr(const JointGoal& step) {
   moveGoal_.position = step.position;
   moveGoal_.stamp = step.stamp;
   for (std::size_t i = 0; i < step.position.size() && i < std::size_t{N}; ++i) {
-    moveGoal_.position[i] += arm_.setpoint_[static_cast<Eigen::Index>(i)];
+    moveGoal_.position[i] += arm_.setpoint()[static_cast<Eigen::Index>(i)];
   }
   arm_.move_jp(moveGoal_);
 }
@@ -215,14 +215,14 @@ void CrtkArm<N>::move_jr(const JointGoal& step) {
 template <int N>
 void CrtkArm<N>::move_cr(const PoseStamped& step) {
   if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
-  moveTo(stepped(arm_.setpoint_, step));
+  moveTo(stepped(arm_.setpoint(), step));
 }
 
 template <int N>
 void CrtkArm<N>::moveTo(const PoseStamped& goal) {
   if (!arm_.mayMoveTip()) return;
   if (!isPose(goal)) return arm_.warn(ArmWarning::Malformed);
-  const auto solution = arm_.model_.solve(goal.pose, arm_.setpoint_, kinematics::Postures::All);
+  const auto solution = arm_.model_.solve(goal.pose, arm_.setpoint(), kinematics::Postures::All);
   if (!solution.found) return arm_.warn(ArmWarning::OutOfReach);
   arm_.startMove(solution.q, false);
 }
@@ -231,7 +231,7 @@ template <int N>
 void CrtkArm<N>::setRatios(double velocity, double acceleration) {
   ratioV_ = velocity;
   ratioA_ = acceleration;
-  arm_.moveRatios_ = {velocity, acceleration};
+  arm_.setpoint_.limitMoves({velocity, acceleration});
   ratiosChanged_ = true;
 }
 
@@ -273,7 +273,7 @@ bool CrtkArm<N>::streams(bool may, bool isWellFormed, const char* activity) {
     return false;
   }
   endPreviousStream();
-  arm_.followStream(arm_.setpoint_, {}, activity);
+  arm_.followStream(arm_.setpoint(), {}, activity);
   return true;
 }
 
@@ -305,12 +305,12 @@ void CrtkArm<N>::advance(suture::Time now) {
   const bool paused = stream_.isActive() && dt > inSeconds(StreamWatch::kSilence);
   if (stream_.hasFallenSilent(now) || paused) return arm_.hold();
   if (stream_.isOfTip() && !arm_.mayMoveTip()) return arm_.hold();
-  const auto next = stream_.next(arm_.model_.chain, arm_.model_.inverse, arm_.setpoint_,
+  const auto next = stream_.next(arm_.model_.chain, arm_.model_.inverse, arm_.setpoint(),
                                  arm_.reading_.position, dt);
   if (!next) return arm_.warn(ArmWarning::OutOfReach);
   // Beside a singularity the joints of two close poses may lie far apart.
-  const Joints step = next->q - arm_.setpoint_;
-  arm_.setpoint_ += shortened<Joints>(step, dt * arm_.model_.rate_limit);
+  const Joints step = next->q - arm_.setpoint();
+  arm_.setpoint_.put(arm_.setpoint() + shortened<Joints>(step, dt * arm_.model_.rate_limit));
   if (next->limited && !streamSlides_) arm_.warnings_.tell(ArmWarning::AtLimit);
   streamSlides_ = next->limited;
 }
@@ -320,9 +320,9 @@ void CrtkArm<N>::advance(suture::Time now) {
 template <int N>
 void CrtkArm<N>::publish(suture::Time now) {
   tip_.measured(arm_.reading_, arm_.measured_cp(), base_.transform);
-  tip_.asked(arm_.setpoint_, arm_.setpointRate_.rate(), base_.transform, now,
+  tip_.asked(arm_.setpoint(), arm_.setpoint_.rate(), base_.transform, now,
              arm_.setpoint_js().valid);
-  const Joints goal = arm_.move_ ? arm_.move_->to() : arm_.setpoint_;
+  const Joints goal = arm_.setpoint_.endOfMove();
   std::copy_n(goal.data(), N, goalJs_.position.begin());
   goalJs_.stamp = now;
   goalJs_.valid = arm_.setpoint_js().valid;

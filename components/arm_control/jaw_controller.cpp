@@ -12,7 +12,9 @@ namespace robots {
 JawController::JawController(const JawModel& model, const ArmController<6>& arm)
     : model_(model),
       arm_(arm),
-      setpointRate_(Joint(model.rate_limit)),
+      setpoint_({.lower = Joint(model.lower),
+                 .upper = Joint(model.upper),
+                 .motion = {Joint(model.rate_limit), Joint(model.acceleration_limit)}}),
       configuration_(toolConfiguration("jaw", model.lower, model.upper)),
       measuredJs_(blankToolState("jaw")),
       setpointJs_(measuredJs_) {
@@ -61,20 +63,13 @@ void JawController::move_jp(const JointGoal& goal) {
   if (q->value() < model_.lower || q->value() > model_.upper) {
     return warnings_.warn(ArmWarning::OutOfReach);
   }
-  startMove(q->value());
-}
-
-void JawController::startMove(double goal) {
   begin(Activity::Moving);
-  const JointMove<1>::Limits limits{Joint(model_.rate_limit), Joint(model_.acceleration_limit)};
-  move_ = JointMove<1>({Joint(setpoint_), setpointRate_.rate()}, Joint(goal), limits);
-  moveStart_ = lastStep_;
-  begun_ = true;
+  setpoint_.move(*q, lastStep_);
 }
 
 void JawController::hold() {
   begin(Activity::Holding);
-  setpointRate_.rest(Joint(setpoint_));
+  setpoint_.rest(setpoint_.joints());
 }
 
 void JawController::begin(Activity activity) {
@@ -90,10 +85,7 @@ void JawController::begin(Activity activity) {
 }
 
 void JawController::endMove(bool reached) {
-  begun_ = false;
-  if (!move_) return;
-  move_.reset();
-  moveEnded_ = reached;
+  if (setpoint_.end()) moveEnded_ = reached;
 }
 
 void JawController::clientGone(const suture::ConnectedClient& client) {
@@ -115,54 +107,55 @@ void JawController::step(suture::Time now, const std::optional<DriveReading<6>>&
   const bool obeys = isEnabled();
   const bool rests = std::exchange(obeyed_, obeys) && !obeys;
   const bool stops = !obeys || paused || stream_.hasFallenSilent(now);
-  std::optional<double> anew;
-  if (obeys && move_ && (paused ? begun_ : unpowered)) anew = move_->to().value();
-  if (anew) move_.reset();  // it has not ended
-  if (activity_ != Activity::Holding && stops) hold();
+  const bool begins = obeys && setpoint_.isMoving() && (paused ? setpoint_.hasBegun() : unpowered);
+  if (activity_ != Activity::Holding && stops && !begins) hold();
   const bool wasHeard = std::exchange(measuredJs_.valid, drives.has_value());
   if (drives) {
-    measuredJs_.position[0] = drives->tool.position;
-    measuredJs_.velocity[0] = drives->tool.velocity;
-    measuredJs_.effort[0] = drives->tool.effort;
-    measuredJs_.stamp = drives->stamp;
+    take(*drives);
+    const Joint measured(drives->tool.position);
     // With power but not enabled it keeps its set-point, because otherwise noise and load would
     // make it drift.
-    if (!arm_.powered() || rests || paused || unpowered || !wasHeard) {
-      setpoint_ = drives->tool.position;
-      setpointRate_.rest(Joint(setpoint_));
+    const bool keeps = arm_.powered() && wasHeard && !rests && !paused && !unpowered;
+    if (begins) {
+      setpoint_.beginAnew(measured, now);
+    } else if (!keeps) {
+      setpoint_.rest(measured);
     }
   }
-  if (anew) startMove(*anew);
-  advance(now, dt);
-  setpointRate_.update(now, Joint(setpoint_));
+  advance(dt);
+  if (setpoint_.step(now)) {
+    endMove(true);
+    hold();
+  }
   publish(now);
-  begun_ = false;
 }
 
-void JawController::advance(suture::Time now, double dt) {
+void JawController::take(const DriveReading<6>& drives) {
+  measuredJs_.position[0] = drives.tool.position;
+  measuredJs_.velocity[0] = drives.tool.velocity;
+  measuredJs_.effort[0] = drives.tool.effort;
+  measuredJs_.stamp = drives.stamp;
+}
+
+void JawController::advance(double dt) {
   const double most = model_.rate_limit * dt;
   switch (activity_) {
-    case Activity::Holding: break;
+    case Activity::Holding:
+    case Activity::Moving: break;
     case Activity::Following: approach(goal_, most); break;
     case Activity::Pushing:
       approach(effort_ < 0 ? model_.lower : model_.upper,
                most * std::abs(effort_) / model_.effort_limit);
       break;
-    case Activity::Moving:
-      const double t = secondsBetween(moveStart_, now);
-      setpoint_ = std::clamp(move_->at(t).value(), model_.lower, model_.upper);
-      if (t < move_->duration()) break;
-      endMove(true);
-      hold();
   }
 }
 
 void JawController::approach(double goal, double most) {
-  setpoint_ += std::clamp(goal - setpoint_, -most, most);
+  setpoint_.put(Joint(setpoint() + std::clamp(goal - setpoint(), -most, most)));
 }
 
 void JawController::publish(suture::Time now) {
-  setpointJs_.position[0] = setpoint_;
+  setpointJs_.position[0] = setpoint();
   setpointJs_.effort[0] = effort_;
   setpointJs_.stamp = now;
   setpointJs_.valid = measuredJs_.stamp != suture::Time{};

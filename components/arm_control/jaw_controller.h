@@ -10,8 +10,7 @@
 
 #include "arm/jaw.h"
 #include "arm_control/arm_controller.h"
-#include "arm_control/motion/joint_move.h"
-#include "arm_control/motion/setpoint_rate.h"
+#include "arm_control/motion/setpoint.h"
 #include "arm_control/tool_state.h"
 #include "arm_control/warnings.h"
 #include "timing/stream_watch.h"
@@ -45,7 +44,7 @@ class JawController final : public Jaw {
   /// silent.
   void step(suture::Time now, const std::optional<DriveReading<6>>& drives);
   /// Returns where the jaw shall be from this cycle on, in rad.
-  double setpoint() const { return setpoint_; }
+  double setpoint() const { return setpoint_.joints().value(); }
 
   /// Emits by `events` (what Provided<Jaw>::emit() returns) what happened since the last call.
   template <class Events>
@@ -59,30 +58,26 @@ class JawController final : public Jaw {
   }
 
  private:
-  using Joint = JointMove<1>::Joints;
+  using Joint = Setpoint<1>::Joints;
   enum class Activity { Holding, Following, Pushing, Moving };
 
   bool isEnabled() const { return arm_.operating_state().state == ArmState::Enabled; }
   bool mayMove();
   void begin(Activity activity);
-  void startMove(double goal);
   void endMove(bool reached);
   void hold();
-  /// Moves the set-point as the present activity asks for; `dt` is in s.
-  void advance(suture::Time now, double dt);
+  /// Moves the set-point as a stream asks for; `dt` is in s.
+  void advance(double dt);
   void approach(double goal, double most);
+  void take(const DriveReading<6>& drives);
   void publish(suture::Time now);
 
   const JawModel model_;
   const ArmController<6>& arm_;
   Activity activity_ = Activity::Holding;
-  double setpoint_ = 0;
+  Setpoint<1> setpoint_;
   double goal_ = 0;    // rad, of servo_jp
   double effort_ = 0;  // N.m, of servo_jf
-  std::optional<JointMove<1>> move_;
-  SetpointRate<1> setpointRate_;
-  suture::Time moveStart_;  // the cycle that its first set-point is of
-  bool begun_ = false;      // a move has, since the last step
   suture::Time lastStep_;
   bool obeyed_ = false;  // in the cycle before
   StreamWatch stream_;

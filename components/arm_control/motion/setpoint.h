@@ -1,0 +1,122 @@
+#pragma once
+// This is where joints shall be, and the move or the line along which that changes by itself.
+
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "arm_control/motion/joint_line.h"
+#include "arm_control/motion/joint_move.h"
+#include "arm_control/motion/setpoint_rate.h"
+#include "timing/seconds.h"
+
+namespace robots {
+
+/// One thread; never allocates. Joints are in rad, or m for a prismatic one, and rates per second.
+template <int N>
+class Setpoint {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  struct Limits {
+    Joints lower, upper;
+    typename JointMove<N>::Limits motion;
+  };
+
+  explicit Setpoint(const Limits& limits) : limits_(limits), rate_(limits.motion.rate) {}
+
+  const Joints& joints() const { return joints_; }
+  /// Returns how fast it changes, whatever changes it.
+  Joints rate() const { return rate_.rate(); }
+  bool isMoving() const { return move_.has_value(); }
+  /// Returns true if a move or a line has begun since the last step().
+  bool hasBegun() const { return begun_; }
+  /// Returns where the move ends, or where the joints shall be if there is none.
+  const Joints& endOfMove() const { return move_ ? move_->to() : joints_; }
+  /// Does the same for a line.
+  const Joints& endOfLine() const { return line_ ? line_->to() : joints_; }
+
+  /// Changes it at once. A move or a line that is under way changes it again in the next step().
+  void put(const Joints& joints) { joints_ = joints; }
+  /// Changes it at once, to where the joints are at rest.
+  void rest(const Joints& joints) {
+    joints_ = joints;
+    rate_.rest(joints);
+  }
+  /// Says which share of their limits moves may use from the next one on.
+  void limitMoves(const MoveRatios& ratios) { ratios_ = ratios; }
+
+  /// Begins a move to rest at `goal`, in place of what is under way. `now` is the cycle before its
+  /// first step.
+  void move(const Joints& goal, suture::Time now) {
+    end();
+    planMove(goal, now);
+    begun_ = true;
+  }
+  /// Returns how long a line to a goal that comes now shall take, in s, because the next goal is
+  /// expected to come as much later as this one does after that of the present line. With 0 it
+  /// takes as long as the rates need.
+  double untilNextGoal(suture::Time now) const {
+    constexpr double kLongest = 0.5;  // s; goals further apart are no stream
+    if (!line_) return 0;
+    const double since = secondsBetween(line_->begin(), now);
+    if (since >= kLongest) return 0;
+    return since > 0 ? since : line_->wanted();  // two goals in one cycle
+  }
+  /// Begins a line to `goal`, in place of what is under way, that takes `wanted` seconds.
+  void interpolate(const Joints& goal, suture::Time now, double wanted) {
+    end();
+    planLine(goal, now, wanted);
+    begun_ = true;
+  }
+  /// Rests where the joints are, and begins what leads to a goal anew from there.
+  void beginAnew(const Joints& joints, suture::Time now) {
+    rest(joints);
+    if (move_) planMove(Joints(move_->to()), now);
+    if (line_) planLine(Joints(line_->to()), now, line_->wanted());
+  }
+  /// Ends what is under way. Returns true if that was a move.
+  bool end() {
+    const bool moved = isMoving();
+    line_.reset();
+    move_.reset();
+    begun_ = false;
+    return moved;
+  }
+
+  /// Call this once a cycle. Returns true if a move has reached its end, where it stays.
+  bool step(suture::Time now) {
+    bool reached = false;
+    if (line_) joints_ = line_->at(now);
+    if (move_) {
+      const double t = secondsBetween(moveStart_, now);
+      // It may brake beyond a limit.
+      joints_ = move_->at(t).cwiseMax(limits_.lower).cwiseMin(limits_.upper);
+      reached = t >= move_->duration();
+    }
+    rate_.update(now, joints_);
+    begun_ = false;
+    return reached;
+  }
+
+ private:
+  void planMove(const Joints& goal, suture::Time now) {
+    move_.emplace(typename JointMove<N>::Start{joints_, rate()}, goal, limits_.motion, ratios_);
+    moveStart_ = now;
+  }
+  void planLine(const Joints& goal, suture::Time now, double wanted) {
+    line_.emplace(joints_, goal, limits_.motion.rate, now, wanted);
+  }
+
+  const Limits limits_;
+  MoveRatios ratios_;
+  Joints joints_ = Joints::Zero();
+  SetpointRate<N> rate_;
+  std::optional<JointMove<N>> move_;
+  suture::Time moveStart_;
+  std::optional<JointLine<N>> line_;
+  bool begun_ = false;
+};
+
+}  // namespace robots
