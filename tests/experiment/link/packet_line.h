@@ -2,11 +2,11 @@
 // This is one direction of a link: the packets that are under way.
 
 #include <suture/base/time.h>
+#include <suture/lane/fault/fault_injector.h>
 
 #include <atomic>
 #include <cstdint>
 #include <deque>
-#include <random>
 #include <vector>
 
 namespace experiment {
@@ -46,11 +46,9 @@ class PacketLine {
     std::vector<std::uint8_t> bytes;
   };
 
-  double draw();
-
   const int from_, to_;
-  const PacketFate fate_;
-  std::mt19937_64 random_;
+  const suture::Duration way_;
+  suture::FaultInjector faults_;
   std::deque<Packet> underWay_;
   suture::Time lastDue_{};
   PacketCounts counts_;
