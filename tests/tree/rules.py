@@ -122,8 +122,8 @@ MAY_WAIT = {
     "runtime/suture/lane/frame/lane_thread.cpp": "sleeps at sockets, and asks the stepped clock first",
     "runtime/suture/loop/event_port.cpp": "asks for another thread whether anything has come, without waiting",
     "runtime/suture/net/host_lookup.cpp": "asks the system's name service, which knows no other clock",
-    "runtime/suture/deploy/signal_wait.h": "waits for signals, which come from outside",
-    "runtime/suture/deploy/signal_wait.cpp": "waits for signals, which come from outside",
+    "runtime/suture/loop/signal_wait.h": "waits for signals, which come from outside",
+    "runtime/suture/loop/signal_wait.cpp": "waits for signals, which come from outside",
     "runtime/suture/deploy/report_writer.cpp": "waits for a pipe, which another process empties",
 }
 

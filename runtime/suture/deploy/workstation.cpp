@@ -1,8 +1,8 @@
 #include <suture/base/nearest.h>
 #include <suture/deploy/host.h>
 #include <suture/deploy/report_writer.h>
-#include <suture/deploy/signal_wait.h>
 #include <suture/deploy/workstation.h>
+#include <suture/loop/signal_wait.h>
 #include <suture/observe/observe.h>
 #include <sys/resource.h>
 #include <unistd.h>

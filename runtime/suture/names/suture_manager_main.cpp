@@ -2,27 +2,17 @@
 
 #include <suture/base/errors.h>
 #include <suture/loop/control_thread.h>
+#include <suture/loop/signal_wait.h>
 #include <suture/names/global_manager.h>
 #include <suture/net/tls/keys.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace {
-
-/// Blocks the signals that end the program, in this thread and those that it starts.
-sigset_t blockEndSignals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  return signals;
-}
 
 struct Options {
   std::string address = suture::GlobalManager::defaultAddress();
@@ -44,14 +34,13 @@ suture::Security securityOf(const Options& options) {
 }
 
 void serve(const Options& options) {
-  const sigset_t signals = blockEndSignals();
+  const suture::SignalWait toldToEnd;
   suture::GlobalManager::makeDirectory(options.address);
   suture::rpc::ControlThread control;
   const suture::GlobalManager manager(control, options.address, securityOf(options));
   std::printf("suture-manager: ready on %s\n", manager.address().c_str());
   std::fflush(stdout);
-  int received = 0;
-  sigwait(&signals, &received);
+  (void)toldToEnd.endBefore(suture::Time::max());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #include <poll.h>
-#include <suture/deploy/signal_wait.h>
+#include <suture/loop/signal_wait.h>
 #include <sys/eventfd.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
