@@ -69,7 +69,7 @@ ComponentClass componentClass<robots::Assistant>() {
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
             std::unique_ptr<Component> component(new robots::Assistant(values));
-            makeOptional(*component, {"Left", "Right", "Guidance"});
+            makeOptional(*component, {"Console", "Left", "Right", "Guidance"});
             return component;
           }};
 }

@@ -6,6 +6,7 @@
 #include <suture/component/factory/component_class.h>
 
 #include "assistant/assistant.h"
+#include "console/console.suture.h"
 #include "coordinator/emergency_stop.suture.h"
 #include "guidance/guidance.suture.h"
 #include "teleop/teleoperation.suture.h"
