@@ -9,7 +9,6 @@
 #include <numbers>
 #include <utility>
 
-#include "arm/fresh_pose.h"
 #include "registration/surgeon_view.h"
 #include "teleop/valid_scale.h"
 #include "timing/seconds.h"
@@ -24,9 +23,6 @@ using Eigen::Vector3d;
 // The capstan's friction is not known better than this share of it, nor are the strand's ends
 // straight.
 constexpr double kHolding = 0.8;
-
-constexpr const char* kGoalsRefused =
-    "a slave refuses its goals; look at its warnings, insert its tool, then enable";
 
 FixtureModel model(const GuideParameters& parameters) {
   if (parameters.approach.norm() == 0) {
@@ -68,10 +64,8 @@ KnotGuide::KnotGuide(const GuideParameters& parameters)
 }
 
 void KnotGuide::enable() {
-  for (Side* side : {&left_, &right_}) {
-    side->masterWatch.permit();
-    side->slaveWatch.permit();
-  }
+  for (Side* side : {&left_, &right_}) side->arms.permit();
+  preparation_.begin();
   if (state_ == GuidanceState::Disabled) enter(GuidanceState::Preparing);
 }
 
@@ -87,18 +81,21 @@ void KnotGuide::onSuspend() {
   leave(GuidanceState::Preparing);
 }
 
+/// Restarts the limit, which counts the time that it works and not the time that it was suspended.
+void KnotGuide::onResume() { preparation_.begin(); }
+
 void KnotGuide::run() {
   if (std::exchange(enableAtFirstCycle_, false)) enable();
+  step();
+  if (state_ == GuidanceState::Preparing && preparation_.isOver()) giveUp(kNotReadyInTime);
+}
+
+void KnotGuide::step() {
   const bool disabled = state_ == GuidanceState::Disabled;
   for (Side* side : {&left_, &right_}) {
-    if (disabled) break;
-    side->masterWatch.prepare();
-    side->slaveWatch.prepare();
+    if (!disabled) side->arms.prepare();
   }
-  if (isRefused() && state_ == GuidanceState::Guiding) {
-    leave(GuidanceState::Disabled);
-    return messages_.error(kGoalsRefused);
-  }
+  if (isRefused() && state_ == GuidanceState::Guiding) return giveUp(kGoalsRefused);
   const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
   if (missed) estimate_.forget();  // where the tips have been meanwhile is not known
   if (!readArms()) {
@@ -131,21 +128,17 @@ bool KnotGuide::readScene() {
 /// Returns false unless the data of all four arms and the registration may be acted on.
 bool KnotGuide::readArms() {
   if (!readScene() || !read(left_) || !read(right_)) return false;
-  setpoints_ = {frames_.left_base * left_.slavePose.pose.translation(),
-                frames_.right_base * right_.slavePose.pose.translation()};
+  setpoints_ = {frames_.left_base * left_.poses.slave.pose.translation(),
+                frames_.right_base * right_.poses.slave.pose.translation()};
   estimate_.tipsAt(suture::now(), setpoints_.mean());
   return true;
 }
 
 bool KnotGuide::read(Side& side) {
-  const auto masterSample = side.master.measured_cp();
-  const auto slaveSample = side.slave.setpoint_cp();
-  const PoseStamped* const master = freshMeasurement(masterSample, parameters_.max_age);
-  const PoseStamped* const slave = freshPose(slaveSample, parameters_.max_age);
-  if (master == nullptr || slave == nullptr || !side.ready()) return false;
+  const auto poses = side.arms.poses(parameters_.max_age);
+  if (!poses || !side.arms.ready()) return false;
   side.readJoints(parameters_.max_age);
-  side.masterPose = *master;
-  side.slavePose = *slave;
+  side.poses = *poses;
   return true;
 }
 
@@ -183,15 +176,20 @@ void KnotGuide::lookForKnot() {
 }
 
 bool KnotGuide::isRefused() {
-  const bool left = left_.slaveWatch.refuses();  // both must be asked
-  return right_.slaveWatch.refuses() || left;
+  const bool left = left_.arms.slave().refuses();  // both must be asked
+  return right_.arms.slave().refuses() || left;
+}
+
+void KnotGuide::giveUp(const char* why) {
+  leave(GuidanceState::Disabled);
+  messages_.error(why);
 }
 
 /// Returns true if a slave is not where it was sent, because it refuses goals or slides along a
 /// joint limit.
 bool KnotGuide::mustBeginAnew() {
-  const bool leftBroke = left_.slaveWatch.hasBrokenOff();
-  const bool rightBroke = right_.slaveWatch.hasBrokenOff();
+  const bool leftBroke = left_.arms.slave().hasBrokenOff();
+  const bool rightBroke = right_.arms.slave().hasBrokenOff();
   if (leftBroke || rightBroke || !left_.law) return true;
   // A set-point may come back as late as max_age, and it is looked at a cycle or two later.
   const double most =
@@ -203,13 +201,13 @@ bool KnotGuide::mustBeginAnew() {
 /// Returns false if it is not known where things stand now.
 bool KnotGuide::begin() {
   if (!sceneIsKnown_) return false;
-  for (Side* side : {&left_, &right_}) side->anchor(side->slavePose.pose, parameters_.scale);
+  for (Side* side : {&left_, &right_}) side->anchor(side->poses.slave.pose, parameters_.scale);
   tips_ = setpoints_;
   return true;
 }
 
 void KnotGuide::Side::anchor(const Isometry3d& slaveSetpoint, double scale) {
-  law.emplace(masterPose.pose, slaveSetpoint, FollowSettings{.scale = scale, .view = view});
+  law.emplace(poses.master.pose, slaveSetpoint, FollowSettings{.scale = scale, .view = view});
   turned = slaveSetpoint.linear();
 }
 
@@ -218,12 +216,12 @@ void KnotGuide::Side::anchor(const Isometry3d& slaveSetpoint, double scale) {
 void KnotGuide::Side::look(const Eigen::Matrix3d& newView, double scale) {
   if (newView.isApprox(view, 1e-12)) return;
   view = newView;
-  if (law) anchor(law->follow(masterPose.pose), scale);
+  if (law) anchor(law->follow(poses.master.pose), scale);
 }
 
 bool KnotGuide::move() {
-  const Isometry3d left = left_.law->follow(left_.masterPose.pose);
-  const Isometry3d right = right_.law->follow(right_.masterPose.pose);
+  const Isometry3d left = left_.law->follow(left_.poses.master.pose);
+  const Isometry3d right = right_.law->follow(right_.poses.master.pose);
   const double seconds = inSeconds(parameters_.period);
   const TipPair step = permitted({frames_.left_base * left.translation() - tips_.left,
                                   frames_.right_base * right.translation() - tips_.right},
@@ -238,8 +236,8 @@ bool KnotGuide::move() {
 JointRoom KnotGuide::Side::room(const Isometry3d& goal, const Isometry3d& base, const Vector3d& tip,
                                 double seconds) const {
   if (!bounds || !knowsJoints) return {};
-  const TipAhead ahead{.moved = base.inverse() * tip - slavePose.pose.translation(),
-                       .turned = turnBetween(slavePose.pose.linear(), goal.linear()),
+  const TipAhead ahead{.moved = base.inverse() * tip - poses.slave.pose.translation(),
+                       .turned = turnBetween(poses.slave.pose.linear(), goal.linear()),
                        .turns = turnBetween(turned, goal.linear())};
   return jointRoom(*bounds, setpointJs, jacobian, ahead, base.linear(), seconds);
 }
@@ -258,16 +256,15 @@ TipPair KnotGuide::permitted(const TipPair& desired, const RoomPair& rooms) {
 /// data, so that its age is known wherever it arrives.
 bool KnotGuide::send(Side& side, const Isometry3d& goal, const Isometry3d& base,
                      const Vector3d& tip) {
-  PoseStamped sent{goal, side.masterPose.stamp, true};
+  PoseStamped sent{goal, side.poses.master.stamp, true};
   sent.pose.translation() = base.inverse() * tip;
   side.turned = goal.linear();
   return side.slave.servo_cp(sent).has_value();
 }
 
-/// It does not disturb others who move a slave that is not ready.
 void KnotGuide::leave(GuidanceState state) {
   for (Side* side : {&left_, &right_}) {
-    if (state_ == GuidanceState::Guiding && side->slaveWatch.ready()) (void)side->slave.hold();
+    if (state_ == GuidanceState::Guiding) side->arms.holdSlave();
     side->law.reset();
     side->bounds.reset();  // the slave may be another one when it goes on
   }
@@ -276,6 +273,7 @@ void KnotGuide::leave(GuidanceState state) {
 
 void KnotGuide::enter(GuidanceState state) {
   if (state_ == state) return;
+  if (state == GuidanceState::Preparing) preparation_.begin();
   state_ = state;
   guidance_.emit().guidance_state(state);
 }

@@ -13,7 +13,6 @@
 #include <optional>
 
 #include "arm/arm.suture.h"
-#include "arm/arm_watch.h"
 #include "guidance/fixtures.h"
 #include "guidance/guidance.suture.h"
 #include "guidance/joint_room.h"
@@ -22,7 +21,9 @@
 #include "pedals/operator_presence.suture.h"
 #include "pedals/operator_watch.h"
 #include "registration/registration.suture.h"
+#include "teleop/arm_pair.h"
 #include "teleop/follow_law.h"
+#include "teleop/preparation_limit.h"
 #include "timing/cycle_watch.h"
 #include "vision/knot_vision.suture.h"
 
@@ -44,6 +45,9 @@ struct SUTURE_TYPE() GuideParameters {
   suture::Duration operator_age = std::chrono::milliseconds(200);
   /// If it is true, the guide prepares and guides without waiting for enable().
   bool enable_at_start = true;
+  /// If the arms and the registration are not ready after this time, the guide is disabled. With 0
+  /// it waits for ever.
+  suture::Duration preparation_limit = std::chrono::seconds(60);
   /// If it is false, the slaves follow their masters wherever the knot is.
   bool fixtures = true;
   /// Is where the knot shall be, in the scene.
@@ -85,13 +89,13 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   /// A client that connects receives the first state too.
   void onStart() override { guidance_.emit().guidance_state(state_); }
   void onSuspend() override;
+  void onResume() override;
 
  private:
   /// Is one master, the slave that it drives, and how it does so.
   struct Side {
     Side(KnotGuide& guide, const char* masterName, const char* slaveName);
 
-    bool ready() const { return masterWatch.ready() && slaveWatch.ready(); }
     void anchor(const Eigen::Isometry3d& slaveSetpoint, double scale);
     void look(const Eigen::Matrix3d& newView, double scale);
     void readJoints(suture::Duration maxAge);
@@ -100,18 +104,19 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
                    const Eigen::Vector3d& tip, double seconds) const;
 
     suture::Required<Arm> master, slave;
-    ArmWatch masterWatch{master}, slaveWatch{slave};
+    ArmPair arms{master, slave};
     Eigen::Matrix3d view = Eigen::Matrix3d::Identity();
     std::optional<FollowLaw> law;
-    PoseStamped masterPose, slavePose;  // of this cycle; the slave's is its set-point
-    Eigen::Matrix3d turned;             // how the tool has been sent to turn, in the base's axes
-    JointConfiguration configuration;   // these three keep their memory
+    ArmPoses poses;                    // of this cycle
+    Eigen::Matrix3d turned;            // how the tool has been sent to turn, in the base's axes
+    JointConfiguration configuration;  // these three keep their memory
     JointState setpointJs;
     Jacobian jacobian;
     std::optional<JointBounds> bounds;
     bool knowsJoints = false;  // in this cycle
   };
 
+  void step();
   bool readScene();
   bool readArms();
   bool read(Side& side);
@@ -124,6 +129,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
             const Eigen::Vector3d& tip);
   TipPair permitted(const TipPair& desired, const RoomPair& rooms);
   bool isRefused();
+  void giveUp(const char* why);
   /// Stops following: both slaves hold.
   void leave(GuidanceState state);
   void enter(GuidanceState state);
@@ -140,6 +146,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
 
   OperatorWatch operator_{pedals_, presence_, parameters_.operator_age};
   CycleWatch cycles_;
+  PreparationLimit preparation_{parameters_.preparation_limit};
   KnotFixtures fixtures_;
   SceneFrames frames_;
   bool sceneIsKnown_ = false;  // at present, and not only from when guiding began

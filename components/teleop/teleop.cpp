@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "arm/fresh_pose.h"
 #include "registration/surgeon_view.h"
 #include "teleop/valid_scale.h"
 
 namespace robots {
 
 namespace {
-
-constexpr const char* kRefused =
-    "the slave refuses its goals; look at its warnings, insert its tool, then enable";
 
 JawSettings jawSettings(const TeleopParameters& parameters) {
   return {.scale = parameters.jaw_scale,
@@ -44,11 +40,11 @@ void Teleop::onSuspend() {
 
 /// Restarts the limit of preparation, which counts the time that it works and not the time that it
 /// was suspended.
-void Teleop::onResume() { preparing_ = suture::now(); }
+void Teleop::onResume() { preparation_.begin(); }
 
 void Teleop::enable() {
-  masterWatch_.permit();
-  slaveWatch_.permit();
+  arms_.permit();
+  preparation_.begin();
   if (state_ == TeleopState::Disabled) enter(TeleopState::Preparing);
 }
 
@@ -83,34 +79,30 @@ void Teleop::run() {
   if (std::exchange(enableAtFirstCycle_, false)) enable();
   if (state_ == TeleopState::Disabled) return;
   const suture::Time now = suture::now();
-  masterWatch_.prepare();
-  slaveWatch_.prepare();
+  arms_.prepare();
   step(now);
-  giveUpIfLate(now);
+  giveUpIfLate();
 }
 
 void Teleop::step(suture::Time now) {
-  const auto masterSample = master_.measured_cp();
-  const auto slaveSample = slave_.setpoint_cp();
-  const PoseStamped* const master = freshMeasurement(masterSample, parameters_.max_age);
-  const PoseStamped* const slave = freshPose(slaveSample, parameters_.max_age);
-  if (slaveWatch_.refuses() && state_ == TeleopState::Following) return giveUp(kRefused);
+  const auto poses = arms_.poses(parameters_.max_age);
+  if (arms_.slave().refuses() && state_ == TeleopState::Following) return giveUp(kGoalsRefused);
   const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
-  if (slaveWatch_.hasBrokenOff() || missed) {
+  if (arms_.slave().hasBrokenOff() || missed) {
     law_.reset();
     jawFollower_.end();
   }
-  const bool haveData = master != nullptr && slave != nullptr && knowsView();
-  if (!haveData || !masterWatch_.isUp() || !slaveWatch_.ready()) {
+  const bool haveData = poses && knowsView();
+  if (!haveData || !arms_.master().isUp() || !arms_.slave().ready()) {
     return leave(TeleopState::Preparing);
   }
   if (!operator_.teleoperates()) return leave(TeleopState::Clutched);
-  if ((!law_ || isTurned_) && !isAligned(*master, *slave, now)) {
+  if ((!law_ || isTurned_) && !isAligned(*poses, now)) {
     return leave(TeleopState::Aligning);
   }
-  if (!masterWatch_.ready()) return leave(TeleopState::Preparing);
+  if (!arms_.ready()) return leave(TeleopState::Preparing);
   isTurned_ = false;
-  follow(*master, *slave);
+  follow(*poses);
   if (state_ == TeleopState::Following) jawFollower_.follow(now);
 }
 
@@ -128,16 +120,17 @@ bool Teleop::knowsView() {
   return true;
 }
 
-bool Teleop::isAligned(const PoseStamped& master, const PoseStamped& slave, suture::Time now) {
+bool Teleop::isAligned(const ArmPoses& poses, suture::Time now) {
   if (!parameters_.align || settings_.rotation_locked) return true;
-  return alignment_.align(master.pose, view_.transpose() * slave.pose.linear(), now);
+  return alignment_.align(poses.master.pose, view_.transpose() * poses.slave.pose.linear(), now);
 }
 
-void Teleop::follow(const PoseStamped& master, const PoseStamped& slave) {
+void Teleop::follow(const ArmPoses& poses) {
+  const PoseStamped& master = poses.master;
   const bool begins = !law_ || lawIsOld_;
   // With new settings it goes on from where the slave was sent, because the slave's set-point may
   // be some cycles behind.
-  const Eigen::Isometry3d from = law_ ? law_->follow(master.pose) : slave.pose;
+  const Eigen::Isometry3d from = law_ ? law_->follow(master.pose) : poses.slave.pose;
   if (begins) law_.emplace(master.pose, from, lawSettings());
   lawIsOld_ = false;
   // The goal keeps the stamp of the master's data, so that its age is known wherever it arrives.
@@ -172,11 +165,10 @@ bool Teleop::prepares() const {
   return state_ == TeleopState::Preparing || state_ == TeleopState::Aligning;
 }
 
-void Teleop::giveUpIfLate(suture::Time now) {
-  const suture::Duration limit = parameters_.preparation_limit;
-  if (!prepares() || limit == suture::Duration{0} || now - preparing_ < limit) return;
+void Teleop::giveUpIfLate() {
+  if (!prepares() || !preparation_.isOver()) return;
   giveUp(state_ == TeleopState::Preparing
-             ? "the arms have not become ready in time; enable those in FAULT, then this"
+             ? kNotReadyInTime
              : "the master has not turned to the slave's orientation in time; look at its "
                "warnings, then enable");
 }
@@ -187,10 +179,10 @@ void Teleop::giveUp(const char* why) {
 }
 
 /// Ends following. A slave that can obey holds where it is, and so does a master that is being
-/// turned. It does not disturb others who move an arm that is not ready.
+/// turned.
 void Teleop::leave(TeleopState state) {
   law_.reset();
-  if (state_ == TeleopState::Following && slaveWatch_.ready()) (void)slave_.hold();
+  if (state_ == TeleopState::Following) arms_.holdSlave();
   if (state != TeleopState::Aligning) alignment_.end();
   jawFollower_.end();
   enter(state);
@@ -200,7 +192,7 @@ void Teleop::enter(TeleopState state) {
   if (state_ == state) return;
   const bool prepared = prepares();
   state_ = state;
-  if (!prepared) preparing_ = suture::now();
+  if (!prepared) preparation_.begin();
   teleoperation_.emit().teleop_state(state);
 }
 

@@ -12,7 +12,6 @@
 #include <optional>
 
 #include "arm/arm.suture.h"
-#include "arm/arm_watch.h"
 #include "arm/gripper.suture.h"
 #include "arm/jaw.suture.h"
 #include "pedals/foot_pedals.suture.h"
@@ -20,9 +19,11 @@
 #include "pedals/operator_watch.h"
 #include "registration/registration.suture.h"
 #include "robot_types/side.h"
+#include "teleop/arm_pair.h"
 #include "teleop/follow_law.h"
 #include "teleop/jaw_follower.h"
 #include "teleop/master_alignment.h"
+#include "teleop/preparation_limit.h"
 #include "teleop/teleoperation.suture.h"
 #include "timing/cycle_watch.h"
 
@@ -92,13 +93,13 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
  private:
   void step(suture::Time now);
   bool knowsView();
-  bool isAligned(const PoseStamped& master, const PoseStamped& slave, suture::Time now);
-  void follow(const PoseStamped& master, const PoseStamped& slave);
+  bool isAligned(const ArmPoses& poses, suture::Time now);
+  void follow(const ArmPoses& poses);
   FollowSettings lawSettings() const;
   void announce(const PoseStamped& master, const Eigen::Isometry3d& slave);
   void settingsChanged();
   bool prepares() const;
-  void giveUpIfLate(suture::Time now);
+  void giveUpIfLate();
   void giveUp(const char* why);
   void leave(TeleopState state);
   void enter(TeleopState state);
@@ -115,14 +116,14 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   suture::Provided<Teleoperation> teleoperation_{*this, "Teleoperation", *this};
   suture::MessagePort messages_{*this};
 
-  ArmWatch masterWatch_{master_}, slaveWatch_{slave_};
+  ArmPair arms_{master_, slave_};
   OperatorWatch operator_{pedals_, presence_, parameters_.operator_age};
-  MasterAlignment alignment_{master_, masterWatch_, parameters_.alignment_tolerance};
+  MasterAlignment alignment_{master_, arms_.master(), parameters_.alignment_tolerance};
   JawFollower jawFollower_;
   CycleWatch cycles_;
   TeleopState state_ = TeleopState::Disabled;
-  suture::Time preparing_;  // since when it prepares arms and aligns the master
-  bool isTurned_ = false;   // the master, against the slave, while that kept its orientation
+  PreparationLimit preparation_{parameters_.preparation_limit};  // of arms, and of alignment
+  bool isTurned_ = false;  // the master, against the slave, while that kept its orientation
   TeleopSettings settings_;
   Eigen::Matrix3d view_ = Eigen::Matrix3d::Identity();
   FollowAnchors anchors_;

@@ -25,6 +25,8 @@ static_assert(std::is_same_v<decltype(GuideParameters::registration_age),
                              std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(GuideParameters::operator_age), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(GuideParameters::enable_at_start), bool>);
+static_assert(std::is_same_v<decltype(GuideParameters::preparation_limit),
+                             std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(GuideParameters::fixtures), bool>);
 static_assert(std::is_same_v<decltype(GuideParameters::target), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(GuideParameters::approach), Eigen::Vector3d>);
@@ -46,6 +48,7 @@ bool store(const GuideParameters& value, GuideParametersSlot& slot) {
   fits &= store(value.registration_age, slot.registration_age);
   fits &= store(value.operator_age, slot.operator_age);
   fits &= store(value.enable_at_start, slot.enable_at_start);
+  fits &= store(value.preparation_limit, slot.preparation_limit);
   fits &= store(value.fixtures, slot.fixtures);
   fits &= store(value.target, slot.target);
   fits &= store(value.approach, slot.approach);
@@ -66,6 +69,7 @@ void load(const GuideParametersSlot& slot, GuideParameters& value) {
   load(slot.registration_age, value.registration_age);
   load(slot.operator_age, value.operator_age);
   load(slot.enable_at_start, value.enable_at_start);
+  load(slot.preparation_limit, value.preparation_limit);
   load(slot.fixtures, value.fixtures);
   load(slot.target, value.target);
   load(slot.approach, value.approach);
@@ -102,6 +106,7 @@ void fromJson(const suture::JsonReader& in, GuideParameters& value) {
   reader.field("registration_age", value.registration_age);
   reader.field("operator_age", value.operator_age);
   reader.field("enable_at_start", value.enable_at_start);
+  reader.field("preparation_limit", value.preparation_limit);
   reader.field("fixtures", value.fixtures);
   reader.field("target", value.target);
   reader.field("approach", value.approach);

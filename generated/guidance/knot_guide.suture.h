@@ -26,6 +26,7 @@ struct GuideParametersSlot {
   std::int64_t registration_age;   // std::chrono::nanoseconds, ns
   std::int64_t operator_age;       // std::chrono::nanoseconds, ns
   std::uint8_t enable_at_start;    // bool
+  std::int64_t preparation_limit;  // std::chrono::nanoseconds, ns
   std::uint8_t fixtures;           // bool
   std::array<double, 3> target;    // Eigen::Vector3d, m
   std::array<double, 3> approach;  // Eigen::Vector3d

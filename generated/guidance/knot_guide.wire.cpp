@@ -20,6 +20,7 @@ void toWire(const GuideParametersSlot& slot, wire::GuideParameters::Builder out)
   out.setRegistrationAge(slot.registration_age);
   out.setOperatorAge(slot.operator_age);
   out.setEnableAtStart(slot.enable_at_start != 0);
+  out.setPreparationLimit(slot.preparation_limit);
   out.setFixtures(slot.fixtures != 0);
   toWire(slot.target, out.initTarget());
   toWire(slot.approach, out.initApproach());
@@ -40,6 +41,7 @@ suture::Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slo
   slot.registration_age = in.getRegistrationAge();
   slot.operator_age = in.getOperatorAge();
   slot.enable_at_start = in.getEnableAtStart();
+  slot.preparation_limit = in.getPreparationLimit();
   slot.fixtures = in.getFixtures();
   slot.radius = in.getRadius();
   slot.slope = in.getSlope();

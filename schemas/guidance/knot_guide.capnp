@@ -42,4 +42,8 @@ struct GuideParameters @0xc5a448822c5a8c36 $Meta.cxx("robots::GuideParameters") 
   # Is the coefficient of friction of strand on strand, by which the knot holds.
   wrap @16 :Float64 = 9.42 $Meta.range(lowest = 0, highest = 100) $Meta.unit("rad");
   # Is how far the strand winds about itself in the knot.
+  preparationLimit @17 :Int64 = 60000000000 $Meta.cxx("preparation_limit")
+      $Meta.period("1/1000000000");
+  # If the arms and the registration are not ready after this time, the guide is disabled. With 0
+  # it waits for ever.
 }

@@ -168,6 +168,24 @@ TEST_F(Guide, ARefusingSlaveDisablesIt) {
   }
 }
 
+TEST_F(Guide, IsDisabledWhenAnArmDoesNotBecomeReadyInTime) {
+  arms_[3].beSilent(true);
+  ASSERT_TRUE(becomes(GuidanceState::Preparing));
+  pass(kPreparationLimit - 100ms);
+  guide_.enable();
+  pass(kPreparationLimit - 100ms);
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Preparing) << "it was enabled again";
+  manager_.suspend("Guide");
+  pass(kPreparationLimit);
+  manager_.resume("Guide");
+  pass(100ms);
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Preparing) << "a rest is no preparation";
+  ASSERT_TRUE(becomes(GuidanceState::Disabled));
+  pass(2ms);
+  ASSERT_TRUE(complaints_.processEvents());
+  EXPECT_NE(complaints_.error.find("not become ready"), std::string::npos) << complaints_.error;
+}
+
 TEST_F(Guide, FollowsNothingWhileItIsDisabled) {
   ASSERT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
   guide_.disable();

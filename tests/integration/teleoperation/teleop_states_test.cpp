@@ -213,6 +213,17 @@ TEST_F(TeleopStates, ArmsThatDoNotBecomeReadyDisableInTime) {
   EXPECT_NE(operator_.error.find("not become ready"), std::string::npos) << operator_.error;
 }
 
+TEST_F(TeleopStates, AnOperatorWhoEnablesItAgainGivesItMoreTime) {
+  slave_.beSilent(true);
+  start({.preparation_limit = 5s});
+  ASSERT_TRUE(reaches(TeleopState::Preparing));
+  pass(4s);
+  ASSERT_TRUE(operator_.teleop.enable());
+  pass(4s);
+  EXPECT_EQ(operator_.state(), TeleopState::Preparing) << operator_.error;
+  EXPECT_TRUE(reaches(TeleopState::Disabled));
+}
+
 TEST_F(TeleopStates, TheClutchLeavesTheSlaveWhereItIs) {
   startFollowing();
   console_.clutch = true;

@@ -115,13 +115,14 @@ class Guide : public testing::Test {
     EXPECT_NEAR((right() - rightBefore).x(), 0.004, 1e-6);
   }
 
+  static constexpr suture::Duration kPreparationLimit = 5s;
   static inline const std::array<std::string, 4> kNames{"LeftMaster", "RightMaster", "LeftSlave",
                                                         "RightSlave"};
   suture::Manager manager_{"console"};
   std::array<ScriptedArm, 4> arms_;
   Eyes eyes_;
   RegistrationTable registration_;
-  KnotGuide guide_{GuideParameters{}};
+  KnotGuide guide_{GuideParameters{.preparation_limit = kPreparationLimit}};
   Listener listener_;
   Complaints complaints_;
   TestConsole console_;
