@@ -1,7 +1,9 @@
 #include "vision/detector.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -20,6 +22,12 @@ constexpr int kEdge = 2;
 // In px: is the largest difference between the heights of a point in both images, far more than a
 // centroid's error.
 constexpr double kLargestSkew = 2;
+// Is the least share of its ball that a marker shows. The strand hides a sliver, and a calibration
+// that is a little wrong makes the ball seem as much as a third larger.
+constexpr double kLeastShare = 0.7;
+// Is the least that one image shows of that share in the other, less than noise and the strand make
+// of it.
+constexpr double kLeastOfOther = 0.96;
 
 bool isComplete(const ImageFrame& image) {
   return image.valid && image.channels == 3 && image.width > 0 && image.height > 0 &&
@@ -78,7 +86,7 @@ Spot largestSpot(const cv::Mat1b& mask) {
   return {box + all.tl(), labels(box) == largest};
 }
 
-std::optional<Eigen::Vector2d> centreOf(Marker marker, const Channels& channels) {
+std::optional<Detection> markerIn(Marker marker, const Channels& channels) {
   const Spot spot = largestSpot(hasColourOf(marker, channels));
   const cv::Rect box = grown(spot.box, kEdge);
   if (spot.pixels.empty() || (box & cv::Rect({}, channels[0].size())) != box) return std::nullopt;
@@ -88,13 +96,43 @@ std::optional<Eigen::Vector2d> centreOf(Marker marker, const Channels& channels)
   cv::dilate(near, near, {}, {-1, -1}, kEdge);
   cover(marker, channels[1](box), channels[2](box)).copyTo(weights, near);
   const cv::Moments moments = cv::moments(weights);
-  return Eigen::Vector2d(box.x + moments.m10 / moments.m00, box.y + moments.m01 / moments.m00);
+  return Detection{.place = {box.x + moments.m10 / moments.m00, box.y + moments.m01 / moments.m00},
+                   .area = moments.m00 / (kWhole - kNothing)};
+}
+
+/// Returns how much of an image a ball covers, in px2: its outline is an ellipse. `centre` is in
+/// the frame of that camera.
+double areaOfBall(const CameraPair& cameras, const Eigen::Vector3d& centre, double radius) {
+  const double near = centre.squaredNorm() - radius * radius;
+  const double ahead = centre.z() * centre.z() - radius * radius;
+  const double size = cameras.focal * radius;
+  return std::numbers::pi * size * size * std::sqrt(near) / (ahead * std::sqrt(ahead));
+}
+
+/// Takes the share of the ball that each image shows.
+bool isWhole(double left, double right) {
+  const auto [least, most] = std::minmax(left, right);
+  return least >= kLeastShare && least >= kLeastOfOther * most;
 }
 
 cv::Matx34d projection(const CameraPair& cameras, Eye eye) {
   const Eigen::Vector2d centre = cameras.centre();
   const double shift = eye == Eye::Right ? -cameras.focal * cameras.baseline : 0;
   return {cameras.focal, 0, centre.x(), shift, 0, cameras.focal, centre.y(), 0, 0, 0, 1, 0};
+}
+
+std::optional<Eigen::Vector3d> centreOf(const CameraPair& cameras, double radius,
+                                        const Detection& left, const Detection& right) {
+  const bool isBehind = left.place.x() <= right.place.x();
+  if (isBehind || std::abs(left.place.y() - right.place.y()) > kLargestSkew) return std::nullopt;
+  Eigen::Vector3d centre = triangulate(cameras, left.place, right.place);
+  // The outline of a ball is that of a cone about it, whose middle is farther from the axis than
+  // the ball's centre, by 1 / (1 - r^2 / z^2), so the ball seems nearer by r^2 / z.
+  centre.z() += radius * radius / centre.z();
+  const Eigen::Vector3d fromRight = centre - cameras.baseline * Eigen::Vector3d::UnitX();
+  const bool whole = isWhole(left.area / areaOfBall(cameras, centre, radius),
+                             right.area / areaOfBall(cameras, fromRight, radius));
+  return whole ? std::optional(centre) : std::nullopt;
 }
 
 }  // namespace
@@ -107,7 +145,7 @@ Detections detect(const ImageFrame& image) {
   Channels channels;
   cv::split(pixels, channels.data());
   for (std::size_t i = 0; i < kMarkers; ++i) {
-    found[i] = centreOf(static_cast<Marker>(i), channels);
+    found[i] = markerIn(static_cast<Marker>(i), channels);
   }
   return found;
 }
@@ -123,13 +161,8 @@ Eigen::Vector3d triangulate(const CameraPair& cameras, const Eigen::Vector2d& le
 MarkerPoints locate(const CameraPair& cameras, const Detections& left, const Detections& right) {
   MarkerPoints points;
   for (std::size_t i = 0; i < kMarkers; ++i) {
-    if (!left[i] || !right[i] || left[i]->x() <= right[i]->x()) continue;
-    if (std::abs(left[i]->y() - right[i]->y()) > kLargestSkew) continue;
-    Eigen::Vector3d& point = points[i].emplace(triangulate(cameras, *left[i], *right[i]));
-    // The outline of a ball is that of a cone about it, whose middle is farther from the axis than
-    // the ball's centre, by 1 / (1 - r^2 / z^2), so the ball seems nearer by r^2 / z.
-    const double radius = radiusOf(static_cast<Marker>(i));
-    point.z() += radius * radius / point.z();
+    if (!left[i] || !right[i]) continue;
+    points[i] = centreOf(cameras, radiusOf(static_cast<Marker>(i)), *left[i], *right[i]);
   }
   return points;
 }

@@ -90,7 +90,7 @@ TEST(ImageSensor, BlurMovesNoMarker) {
   const Detections before = detect(sharp), after = detect(blurred);
   for (std::size_t i = 0; i < kMarkers; ++i) {
     ASSERT_TRUE(before[i] && after[i]);
-    EXPECT_LT((*before[i] - *after[i]).norm(), 0.1);
+    EXPECT_LT((before[i]->place - after[i]->place).norm(), 0.1);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "unit/vision/hanging.h"
 #include "vision/detector.h"
@@ -74,6 +75,36 @@ TEST_F(Stereo, APartlyVisibleMarkerIsNotSeen) {
   EXPECT_FALSE(detect(left_)[static_cast<std::size_t>(Marker::LeftTip)]);
   look(hanging({edge + 0.006, 0, 0.08}, {0, -0.004, 0.08}, {0.029, 0, 0.08}));
   EXPECT_TRUE(detect(left_)[static_cast<std::size_t>(Marker::LeftTip)]);
+}
+
+/// Hides what an eye sees between two columns, as an instrument may.
+void cover(ImageFrame& image, int from, int to) {
+  for (int y = 0; y < static_cast<int>(image.height); ++y) {
+    for (int x = from; x < to; ++x) {
+      std::copy(kMetalColour.begin(), kMetalColour.end(),
+                image.data.begin() + 3 * (y * static_cast<int>(image.width) + x));
+    }
+  }
+}
+
+TEST_F(Stereo, AMarkerThatIsHiddenInPartIsNotSeen) {
+  const Vector3d knot(0, -0.004, 0.1);
+  const double radius = cameras_.focal * radiusOf(Marker::Knot) / knot.z();
+  for (const double hidden : {0.2, 0.5, 0.8}) {
+    for (const std::vector<Eye>& eyes :
+         {std::vector{Eye::Right}, std::vector{Eye::Left}, std::vector{Eye::Left, Eye::Right}}) {
+      if (eyes.size() == 2 && hidden < 0.5) continue;  // both eyes see as much
+      look(hanging({-0.03, 0, 0.1}, knot, {0.03, 0, 0.1}));
+      for (const Eye eye : eyes) {
+        const double left = cameras_.project(eye, knot).x() - radius;
+        cover(eye == Eye::Left ? left_ : right_, static_cast<int>(left) - 4,
+              static_cast<int>(left + 2 * radius * hidden));
+      }
+      const MarkerPoints found = locate(cameras_, detect(left_), detect(right_));
+      EXPECT_FALSE(sees(found, Marker::Knot)) << hidden << " of its width in " << eyes.size();
+      EXPECT_TRUE(sees(found, Marker::LeftTip) && sees(found, Marker::RightTip));
+    }
+  }
 }
 
 TEST_F(Stereo, AnImageWithoutItsPixelsHasNoMarkers) {
