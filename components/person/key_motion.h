@@ -26,16 +26,16 @@ struct KeyMotionRates {
 ///
 /// While a key repeats, the hand moves at constant speed. It stops when the key's last repeat is
 /// `hold` ago, when the key of the opposite direction comes, and at once at a space. One key
-/// presses the clutch and releases it by turns, because a terminal does not say how long a key is
-/// held. Keys that have no meaning, and what a terminal sends for arrows and function keys, are
-/// ignored.
+/// presses the clutch and another one releases it, because a terminal repeats a key that is held,
+/// and does not say for how long. Keys that have no meaning, and what a terminal sends for arrows
+/// and function keys, are ignored.
 class KeyMotion {
  public:
   /// Says for people what each key does.
   static constexpr std::string_view kHelp =
       "keys, backward and forward: a d along x, s w along y, f r along z; k i about x, j l about "
       "y, "
-      "u o about z; c closes the gripper, v opens it; x presses and releases the clutch; space "
+      "u o about z; c closes the gripper, v opens it; x presses the clutch, z releases it; space "
       "stops. Hold a key to go on";
 
   explicit KeyMotion(const KeyMotionRates& rates) : rates_(rates) {}
@@ -54,13 +54,14 @@ class KeyMotion {
   /// Says which part of an escape sequence is still to come.
   enum class Escape : std::uint8_t { None, Second, Final };
 
-  bool isOfEscape(char key);
+  bool isOfEscape(char key, suture::Time now);
 
   const KeyMotionRates rates_;
   std::array<suture::Time, kKeys> ends_{};  // when the motion of each direction ends
   std::optional<double> opening_;
   bool clutch_ = false;
   Escape escape_ = Escape::None;
+  suture::Time escaped_;  // when the sequence began
 };
 
 }  // namespace robots
