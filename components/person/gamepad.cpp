@@ -5,7 +5,8 @@ namespace robots {
 Gamepad::Gamepad(const GamepadParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
       parameters_(parameters),
-      found_("the gamepad " + parameters.file + " is there"),
+      found_("the gamepad " + parameters.file +
+             " is there; press and release its left shoulder before a slave shall follow"),
       gone_("there is no gamepad " + parameters.file + ": the hand rests until it is back"),
       file_(parameters.file),
       decoder_({parameters.stick, parameters.trigger, parameters.dead_zone}) {}

@@ -44,7 +44,8 @@ struct SUTURE_TYPE() GamepadParameters {
 /// Moves the master as the sticks say (GamepadDecoder), as long as HeldMaster lets it. A device
 /// that is gone ends the motion; its error is reported once, with the number of the system's error
 /// as its code. The left shoulder is a pedal; while there is no device it is not fresh, so nobody
-/// teleoperates.
+/// teleoperates. Nobody does so either until it has been pressed and released once, because a
+/// device does not say how it is when it is opened.
 class SUTURE_COMPONENT() Gamepad final : public suture::PeriodicTask, public FootPedals {
  public:
   /// Throws suture::SetupError for a range that is empty.
@@ -77,7 +78,7 @@ class SUTURE_COMPONENT() Gamepad final : public suture::PeriodicTask, public Foo
   GamepadDecoder decoder_;
   Device device_ = Device::Unknown;
   suture::Time lookedFor_;
-  PedalState pedals_;
+  PedalState pedals_{.clutch = true, .camera = false, .coagulation = false, .stamp = {}};
 };
 
 }  // namespace robots

@@ -48,9 +48,7 @@ void GamepadDecoder::takeSynchronisation(std::uint16_t code) {
 
 void GamepadDecoder::forget() {
   dropping_ = false;
-  next_ = {};
-  next_.clutch = true;
-  state_ = next_;
+  next_ = state_ = {};
 }
 
 // The y axes of the device point down, and so does that of its directional pad, which has the

@@ -24,7 +24,8 @@ struct GamepadState {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
   /// Goes from 0, which is released, to 1; there is none until it has been touched.
   std::optional<double> trigger;
-  bool clutch = false;
+  /// Counts as pressed, because it might be, until somebody has pressed and released it.
+  bool clutch = true;
 };
 
 /// One thread; only the constructor throws, nothing allocates.
@@ -40,8 +41,8 @@ class GamepadDecoder {
   explicit GamepadDecoder(const GamepadCalibration& calibration);
 
   void take(const input_event& event);
-  /// Says that the caller has missed events. Sticks are at rest until their next events; the clutch
-  /// counts as pressed, because it might be, until somebody has pressed and released it.
+  /// Says that the caller has missed events. Sticks are at rest until their next events, and the
+  /// clutch counts as pressed, as in the beginning.
   void forget();
 
   const GamepadState& state() const { return state_; }

@@ -42,6 +42,12 @@ class DrivingTest : public testing::Test {
     const auto reached = [&] { return teleop_.teleop_state() == state; };
     return suture::clockOfTest().until(reached, 30s);
   }
+  /// The clutch counts as pressed until the person has pressed and released it.
+  void begin() {
+    ASSERT_TRUE(reaches(TeleopState::Clutched));
+    fifo_.write({button(BTN_TL, true), report(), button(BTN_TL, false), report()});
+    ASSERT_TRUE(reaches(TeleopState::Following));
+  }
   template <class Arm>
   static Eigen::Vector3d tip(const Arm& driven) {
     return driven.arm.measured_cp().pose.translation();
@@ -62,7 +68,7 @@ class DrivingTest : public testing::Test {
 };
 
 TEST_F(DrivingTest, TheSlaveFollowsButNotWhileTheClutchIsPressed) {
-  ASSERT_TRUE(reaches(TeleopState::Following));
+  begin();
   pass(100ms);
   const Eigen::Vector3d master = tip(master_), slave = tip(slave_);
   push(stickToTheRight(), 400ms);
@@ -85,7 +91,7 @@ TEST_F(DrivingTest, TheSlaveFollowsButNotWhileTheClutchIsPressed) {
 }
 
 TEST_F(DrivingTest, TheSlaveDoesNotFollowWhenTheGamepadIsGone) {
-  ASSERT_TRUE(reaches(TeleopState::Following));
+  begin();
   fifo_.pullOut();
   EXPECT_TRUE(reaches(TeleopState::Clutched));
 }
