@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numbers>
 
 #include "recorder/judging.h"
 #include "timing/seconds.h"
@@ -9,16 +10,24 @@
 namespace robots {
 namespace {
 
-constexpr double kStill = 1e-9;  // m
-constexpr double kSoon = 0.5;    // s
-constexpr double kJump = 0.003;  // m
+constexpr double kDegree = std::numbers::pi / 180;  // rad
+constexpr double kStill = 1e-9;                     // m
+constexpr double kUnturned = 1e-6;                  // rad
+constexpr double kSoon = 0.5;                       // s
+constexpr double kLargestJump = 0.003;              // m
+constexpr double kLargestTurn = 3 * kDegree;        // rad
+constexpr double kFastest = 0.25;                   // m/s, of a fast hand
+constexpr double kFastestTurn = 3;                  // rad/s, of a fast hand
 
-/// Returns how far in m an arm may move from one row to the next, at the speed of a fast hand. Rows
-/// that are far apart permit no more than a few cycles, because somebody stood still between them.
-double farthestMotion(const ArmRow& before, const ArmRow& after) {
-  constexpr double kFastest = 0.25;   // m/s
+/// Returns for how long in s an arm may have moved from one row to the next. Rows that are far
+/// apart permit no more than a few cycles, because somebody stood still between them.
+double longestMotion(const ArmRow& before, const ArmRow& after) {
   constexpr double kLongest = 0.025;  // s
-  return kFastest * std::min(secondsBetween(before.stamp, after.stamp), kLongest);
+  return std::min(secondsBetween(before.stamp, after.stamp), kLongest);
+}
+
+double turnBetween(const ArmRow& before, const ArmRow& after) {
+  return Eigen::AngleAxisd(before.setpoint.linear().transpose() * after.setpoint.linear()).angle();
 }
 
 }  // namespace
@@ -28,13 +37,15 @@ HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, su
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const double step =
         (rows[i].setpoint.translation() - rows[i - 1].setpoint.translation()).norm();
-    if (step <= kStill) continue;
+    const double turn = turnBetween(rows[i - 1], rows[i]);
+    if (step <= kStill && turn <= kUnturned) continue;
     if (rows[i].stamp < broken) {
       judgement.rested_before = secondsBetween(rows[i].stamp, broken);
       continue;
     }
-    judgement.largest_jump =
-        std::max(judgement.largest_jump, step - farthestMotion(rows[i - 1], rows[i]));
+    const double time = longestMotion(rows[i - 1], rows[i]);
+    judgement.largest_jump = std::max(judgement.largest_jump, step - kFastest * time);
+    judgement.largest_turn = std::max(judgement.largest_turn, turn - kFastestTurn * time);
     if (rows[i].stamp < mended) {
       judgement.held_after = secondsBetween(broken, rows[i].stamp);
     } else if (!judgement.resumed_after) {
@@ -54,9 +65,13 @@ std::vector<std::string> violations(const HoldJudgement& judgement) {
                              1e3 * judgement.held_after, 1e3 * kSoon));
   }
   if (!judgement.resumed_after) found.push_back("it never moved again");
-  if (judgement.largest_jump > kJump) {
+  if (judgement.largest_jump > kLargestJump) {
     found.push_back(sentence("its set-point jumped by %.1f mm, at most %.1f mm allowed",
-                             1e3 * judgement.largest_jump, 1e3 * kJump));
+                             1e3 * judgement.largest_jump, 1e3 * kLargestJump));
+  }
+  if (judgement.largest_turn > kLargestTurn) {
+    found.push_back(sentence("its set-point turned by %.1f deg at once, at most %.1f deg allowed",
+                             judgement.largest_turn / kDegree, kLargestTurn / kDegree));
   }
   return found;
 }

@@ -19,17 +19,18 @@ struct HoldJudgement {
   double held_after = 0;  ///< s from the break until the set-point moved for the last time
   /// In s: is the time from the mending until it moved again; none if it did not.
   std::optional<double> resumed_after;
-  /// In m, since the break: is by how much the set-point moved farther from one row to the next
-  /// than a fast hand does.
+  /// Are, since the break, by how much the set-point moved farther from one row to the next than a
+  /// fast hand does, in m, and by how much it turned farther, in rad.
   double largest_jump = 0;
+  double largest_turn = 0;
 };
 
 /// Rows must come by ascending stamp; `broken` and `mended` are on their clock.
 HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, suture::Time mended);
 
 /// Returns each bound that is missed, in words. The bounds are that it moves until the break, holds
-/// within half a second, moves again, and jumps by no more than 3 mm, which is how far an arm's
-/// data may lag behind at the demo's speeds.
+/// within half a second, moves again, and jumps by no more than 3 mm and 3 degrees, which is how
+/// far an arm's data may lag behind at the demo's speeds. To turn is to move.
 std::vector<std::string> violations(const HoldJudgement& judgement);
 
 }  // namespace robots

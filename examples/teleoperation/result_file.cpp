@@ -58,7 +58,8 @@ void writeResult(const std::filesystem::path& file, const Options& options, cons
     out["held"].push_back({{"name", slave.name},
                            {"held_after", slave.judgement.held_after},
                            {"resumed_after", resumed ? json(*resumed) : json()},
-                           {"largest_jump", slave.judgement.largest_jump}});
+                           {"largest_jump", slave.judgement.largest_jump},
+                           {"largest_turn", slave.judgement.largest_turn}});
   }
   if (verdict.knot) {
     out["knot"] = {{"start", verdict.knot->start},

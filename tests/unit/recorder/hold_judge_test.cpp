@@ -80,5 +80,33 @@ TEST(HoldJudge, FindsAnArmThatCatchesUpAtOnce) {
   EXPECT_EQ(found[0], "its set-point jumped by 100.0 mm, at most 3.0 mm allowed");
 }
 
+/// Returns an arm that stands still, but turns by `step` in the cycle at that time.
+std::vector<ArmRow> armThatTurns(const std::function<double(suture::Time)>& step) {
+  std::vector<ArmRow> rows = armThatMoves([](suture::Time) { return 0; });
+  double angle = 0;
+  for (ArmRow& row : rows) {
+    angle += step(row.stamp);
+    row.setpoint.linear() = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  }
+  return rows;
+}
+
+TEST(HoldJudge, FindsAnArmThatWentOnTurning) {
+  const auto rows = armThatTurns([](suture::Time) { return 1e-3; });
+  const auto found = violations(judgeHold(rows, kBroken, kMended));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], "it moved until 999 ms after that, at most 500 ms allowed");
+}
+
+TEST(HoldJudge, FindsAnArmThatTurnsAtOnce) {
+  const auto rows = armThatTurns([](suture::Time time) {
+    if (time == kMended + 10ms) return 0.35;
+    return time >= kBroken && time < kMended + 10ms ? 0 : 1e-3;
+  });
+  const auto found = violations(judgeHold(rows, kBroken, kMended));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], "its set-point turned by 19.9 deg at once, at most 3.0 deg allowed");
+}
+
 }  // namespace
 }  // namespace robots
