@@ -54,10 +54,6 @@ RigidBodyJoints<N>::RigidBodyJoints(const RigidBodyModel<N>& model)
 template <int N>
 void RigidBodyJoints<N>::advance(double dt) {
   if (!(dt > 0)) return;
-  // Drives that are late lose the same time in joints, encoders and set-point, so that these stay
-  // together.
-  constexpr auto kMost = dynamics::JointMotion<N>::kMostSteps * dynamics::JointMotion<N>::kStep;
-  dt = std::min(dt, kMost);
   if (powered_ || !model_.brakes) motion_.advance(dt, effort_);
   encoders_.read(motion_.position(), dt);
   elapsed_ += dt;

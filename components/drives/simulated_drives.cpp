@@ -1,5 +1,6 @@
 #include "drives/simulated_drives.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "drives/joint_dynamics.h"
@@ -64,7 +65,9 @@ void SimulatedDrives<N>::brake() {
 
 template <int N>
 void SimulatedDrives<N>::step(suture::Time now) {
-  if (lastStep_ != suture::Time{}) joints_->advance(secondsBetween(lastStep_, now));
+  constexpr double kMost = SimulatedJoints<N>::kLongestStep;
+  if (lastStep_ != suture::Time{})
+    joints_->advance(std::min(secondsBetween(lastStep_, now), kMost));
   lastStep_ = now;
   if (stream_.hasFallenSilent(now)) {
     stream_.end();

@@ -16,7 +16,11 @@ class SimulatedJoints {
 
   virtual ~SimulatedJoints() = default;
 
-  /// Lets `dt` seconds (>= 0) pass.
+  /// Is how much time passes in one cycle at most, in s, because drives that are late must not move
+  /// their joints as far as the time that they missed would.
+  static constexpr double kLongestStep = 0.01;
+
+  /// Lets `dt` seconds pass, from 0 to kLongestStep.
   virtual void advance(double dt) = 0;
   /// Says that the joints have power, and where they shall be from now on.
   virtual void command(const Joints& setpoint) = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "drives/simulated_drives.h"
 #include "support/allocations.h"
@@ -161,6 +162,24 @@ TEST_F(HeavyDrivesTest, CarryTheArmAtOnceWhenPowerBegins) {
   drives_.power_on(drives_.feedback().permitted);
   cycles(2);
   EXPECT_GT(std::abs(shoulderEffort()), 0.5);
+}
+
+TEST_F(HeavyDrivesTest, LeadTheSetPointNoFartherWhenTheyAreLate) {
+  auto model = heavyMtm();
+  model.rate_limit.setConstant(0.01);
+  SimulatedDrives<7> slow{std::make_unique<RigidBodyJoints<7>>(model)};
+  slow.permit(true);
+  slow.power_on(slow.feedback().permitted);
+  goal_.position[0] = 1;
+  std::vector<double> efforts;
+  for (const suture::Duration wait : {0us, 667us, 1'000'000us}) {
+    time_ += wait;
+    slow.servo_jp(goal_);
+    slow.step(time_);
+    efforts.push_back(slow.feedback().effort[0]);
+  }
+  ASSERT_GT(efforts[1], 0.01);
+  EXPECT_LT(efforts[2], 20 * efforts[1]) << "the set-point leads by what a second permits";
 }
 
 TEST_F(HeavyDrivesTest, NeverAllocateInTheirCycle) {

@@ -158,17 +158,6 @@ TEST(SetPoint, GoesNoFasterThanTheRateLimit) {
   EXPECT_LT(fastest, 1.6 * model.rate_limit[kInsertion]);
 }
 
-TEST(SetPoint, WaitsWithJointsThatWereLate) {
-  auto model = heavyPsm();
-  model.rate_limit.setConstant(0.01);
-  RigidBodyJoints<6> joints(model);
-  cycle<6>(joints, model.parked);
-  joints.advance(1);
-  joints.command(model.parked + RigidBodyModel<6>::Joints::Unit(kYaw));
-  EXPECT_LT(joints.effort()[kYaw], 0.1)
-      << "of a set-point that is 0.01 rad away, instead of 0.0001";
-}
-
 TEST(Brakes, HoldWhatWouldFall) {
   RigidBodyJoints<7> joints(released(heavyMtm({.gravity_compensation = false})));
   const auto parked = joints.position();

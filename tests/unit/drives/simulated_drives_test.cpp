@@ -117,6 +117,26 @@ TEST_F(SimulatedDrivesTest, AStreamThatFallsSilentLeavesTheJoints) {
   EXPECT_EQ(drives_.feedback().power, DrivePower::On);
 }
 
+TEST_F(SimulatedDrivesTest, LoseTheTimeForWhichTheyAreLate) {
+  drives_.power_on(drives_.feedback().permitted);
+  follow(2, 10);
+  const double before = position();
+  time_ += 80ms;
+  follow(2, 1);
+  EXPECT_LE(position() - before, 4 * 0.01 + 1e-9);
+  EXPECT_GT(position() - before, 0.03);
+}
+
+TEST_F(SimulatedDrivesTest, MoveAsLittleInTheLateCycleThatStopsThem) {
+  drives_.power_on(drives_.feedback().permitted);
+  follow(2, 10);
+  const double before = position();
+  time_ += 80ms;
+  drives_.permit(false);
+  cycles(1);
+  EXPECT_LE(position() - before, 4 * 0.01 + 1e-9);
+}
+
 TEST(Permit, IsAwaitedByDrivesThatStart) {
   SimulatedDrives<6> drives{model()};
   EXPECT_EQ(drives.feedback().power, DrivePower::NotReady);
