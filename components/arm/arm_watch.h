@@ -19,6 +19,8 @@ class ArmWatch {
       state_ = state.state;
       homed_ = state.is_homed;
       busy_ = state.is_busy;
+      enableAsked_ = enableAsked_ || isEnabled();
+      homeAsked_ = homeAsked_ || homed_;
     });
     arm_.on().warning([this](const suture::Message& warning) {
       const auto reason = static_cast<ArmWarning>(warning.code);
@@ -30,7 +32,7 @@ class ArmWatch {
   ArmWatch& operator=(const ArmWatch&) = delete;
 
   /// Returns true if the arm has power and knows where it is.
-  bool isUp() const { return state_ == ArmState::Enabled && homed_; }
+  bool isUp() const { return isEnabled() && homed_; }
   /// Returns true if a move is under way.
   bool busy() const { return busy_; }
   /// Returns true if the arm obeys servo commands.
@@ -46,27 +48,33 @@ class ArmWatch {
   /// other warnings may be about a goal of somebody else.
   bool refuses() { return std::exchange(refuses_, false); }
 
-  /// Call this once a cycle. It enables and homes the arm, each at most once, so that an arm which
-  /// someone disabled, or which came back after a failure, stays disabled.
+  /// Call this once a cycle. It enables and homes the arm, each at most once and only if nobody
+  /// else has, so that an arm which someone disabled, or which came back after a failure, stays
+  /// disabled, and one which someone made forget its home is not moved there.
   void prepare() {
     if (state_ == ArmState::Disabled && !enableAsked_) {
       enableAsked_ = arm_.enable().has_value();
-    } else if (state_ == ArmState::Enabled && !homed_ && !busy_ && !homeAsked_) {
+    } else if (isEnabled() && !homed_ && !busy_ && !homeAsked_) {
       homeAsked_ = arm_.home().has_value();
     }
   }
-  /// Lets prepare() ask again, which an operator must have decided.
-  void permit() { enableAsked_ = homeAsked_ = false; }
+  /// Lets prepare() ask again for what the arm is not, which an operator must have decided.
+  void permit() {
+    enableAsked_ = isEnabled();
+    homeAsked_ = homed_;
+  }
 
  private:
+  bool isEnabled() const { return state_ == ArmState::Enabled; }
+
   suture::Required<Arm>& arm_;
   ArmState state_ = ArmState::Undefined;
   bool homed_ = false;
   bool busy_ = false;
   bool brokenOff_ = false;
   bool refuses_ = false;
-  bool enableAsked_ = false;
-  bool homeAsked_ = false;
+  bool enableAsked_ = false;  // or it has been enabled since somebody permitted it
+  bool homeAsked_ = false;    // and so with its home
 };
 
 }  // namespace robots

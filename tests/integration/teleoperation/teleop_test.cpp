@@ -60,6 +60,63 @@ TEST(Teleop, RespectsAnArmThatIsTakenAway) {
   EXPECT_TRUE(anchors.slave_setpoint.isApprox(before.pose, 1e-9)) << "the slave jumped";
 }
 
+/// Has somebody else bring the slave and the master up, as a console does, and then enables a
+/// teleoperation that has nothing left to ask for.
+void followArmsThatAreUp(Workstation& station) {
+  station.manager.start();
+  suture::Required<Arm>* const arms[] = {&station.client.master, &station.client.slave};
+  for (suture::Required<Arm>* const arm : arms) {
+    ASSERT_TRUE(
+        suture::eventually([&] { return ask(arm->operating_state).state == ArmState::Disabled; }));
+    ASSERT_TRUE(arm->enable());
+    ASSERT_TRUE(
+        suture::eventually([&] { return ask(arm->operating_state).state == ArmState::Enabled; }));
+    ASSERT_TRUE(arm->home());
+    ASSERT_TRUE(suture::eventually([&] {
+      const OperatingState state = ask(arm->operating_state);
+      return state.is_homed && !state.is_busy;
+    }));
+  }
+  ASSERT_TRUE(station.client.teleop.enable());
+  ASSERT_TRUE(reaches(station, TeleopState::Following));
+}
+
+TEST(Teleop, LeavesAnArmDisabledThatItFoundEnabled) {
+  Workstation station({.enable_at_start = false});
+  ASSERT_NO_FATAL_FAILURE(followArmsThatAreUp(station));
+  ASSERT_TRUE(station.client.slave.disable());
+  ASSERT_TRUE(reaches(station, TeleopState::Preparing));
+  ASSERT_TRUE(cyclesPass(station.teleop, 500));
+  EXPECT_EQ(slaveState(station), ArmState::Disabled);
+  ASSERT_TRUE(station.client.teleop.enable());
+  EXPECT_TRUE(reaches(station, TeleopState::Following)) << "an operator has decided it";
+}
+
+TEST(Teleop, HomesNoArmThatItFoundHomed) {
+  Workstation station({.enable_at_start = false});
+  ASSERT_NO_FATAL_FAILURE(followArmsThatAreUp(station));
+  ASSERT_TRUE(station.client.slave.unhome());
+  ASSERT_TRUE(reaches(station, TeleopState::Preparing));
+  ASSERT_TRUE(cyclesPass(station.teleop, 500));
+  const OperatingState state = ask(station.client.slave.operating_state);
+  EXPECT_FALSE(state.is_homed || state.is_busy);
+  ASSERT_TRUE(station.client.teleop.enable());
+  EXPECT_TRUE(reaches(station, TeleopState::Following)) << "an operator has decided it";
+}
+
+/// Whoever enables what is enabled has not decided about what happens to it afterwards.
+TEST(Teleop, LeavesAnArmDisabledAfterItWasEnabledTwice) {
+  Workstation station({.scale = 0.4});
+  station.manager.start();
+  ASSERT_TRUE(reaches(station, TeleopState::Following));
+  ASSERT_TRUE(station.client.teleop.enable());
+  ASSERT_TRUE(cyclesPass(station.teleop, 5));
+  ASSERT_TRUE(station.client.slave.disable());
+  ASSERT_TRUE(reaches(station, TeleopState::Preparing));
+  ASSERT_TRUE(cyclesPass(station.teleop, 500));
+  EXPECT_EQ(slaveState(station), ArmState::Disabled);
+}
+
 TEST(Teleop, DisableLeavesTheSlaveWhereItIs) {
   Workstation station({.scale = 0.4});
   station.manager.start();
