@@ -84,6 +84,12 @@ void KnotGuide::onSuspend() {
 /// Restarts the limit, which counts the time that it works and not the time that it was suspended.
 void KnotGuide::onResume() { preparation_.begin(); }
 
+/// Stops, and comes back disabled from a restart: whoever finds out why it faulted enables it.
+void KnotGuide::onFault() {
+  progress_.valid = false;
+  disable();
+}
+
 void KnotGuide::run() {
   if (std::exchange(enableAtFirstCycle_, false)) enable();
   step();

@@ -90,6 +90,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   void onStart() override { guidance_.emit().guidance_state(state_); }
   void onSuspend() override;
   void onResume() override;
+  void onFault() override;
 
  private:
   /// Is one master, the slave that it drives, and how it does so.

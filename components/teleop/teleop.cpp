@@ -42,6 +42,9 @@ void Teleop::onSuspend() {
 /// was suspended.
 void Teleop::onResume() { preparation_.begin(); }
 
+/// Stops, and comes back disabled from a restart: whoever finds out why it faulted enables it.
+void Teleop::onFault() { disable(); }
+
 void Teleop::enable() {
   arms_.permit();
   preparation_.begin();

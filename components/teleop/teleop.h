@@ -89,6 +89,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   void onStart() override;
   void onSuspend() override;
   void onResume() override;
+  void onFault() override;
 
  private:
   void step(suture::Time now);

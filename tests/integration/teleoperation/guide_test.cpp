@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 
+#include <stdexcept>
+
 #include "integration/teleoperation/scene/guided_arms.h"
 #include "support/refusal.h"
 
@@ -96,6 +98,22 @@ TEST_F(Guide, DoesNotSayThatItGuidesWhileItIsSuspended) {
   EXPECT_EQ(listener_.state, GuidanceState::Preparing);
   manager_.resume("Guide");
   EXPECT_TRUE(becomes(GuidanceState::Guiding));
+}
+
+/// Nobody knows yet why it faulted, so it must not go on by itself.
+TEST_F(Guide, HoldsAndIsDisabledAfterAFault) {
+  guide_.parkSoonOnThrow([] { throw std::runtime_error("a bad number"); });
+  ASSERT_TRUE(suture::clockOfTest().until([&] { return arms_[2].holds() == 1; }));
+  EXPECT_EQ(arms_[3].holds(), 1u);
+  pass(1s);
+  EXPECT_EQ(guide_.state(), suture::ComponentState::Running) << "it was restarted";
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Disabled);
+  forgetGoals();
+  moveMasters({0, 0, 0.02}, 50);
+  EXPECT_EQ(goals(), 0u);
+  guide_.enable();
+  ASSERT_TRUE(becomes(GuidanceState::Guiding));
+  expectThatBothFollow();
 }
 
 /// Its reads go on while its commands wait for the operator.

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,7 @@ class TeleopStates : public testing::Test {
 
   void start(const TeleopParameters& parameters = {.scale = 0.5}) {
     teleop_ = std::make_unique<Teleop>(parameters);
+    teleop_->restartAfterFaults({.most = 1, .per = 24h});
     manager_.add("MTM", master_);
     manager_.add("PSM", slave_);
     manager_.add("Console", console_);
@@ -385,6 +387,29 @@ TEST_F(TeleopStates, ASuspendStopsATurningMaster) {
   start();
   ASSERT_TRUE(reaches(TeleopState::Aligning));
   manager_.suspend("Teleop");
+  EXPECT_TRUE(suture::clockOfTest().until([&] { return master_.holds() == 1; }));
+}
+
+/// Nobody knows yet why it faulted, so it must not go on by itself.
+TEST_F(TeleopStates, AFaultStopsTheSlaveAndDisablesIt) {
+  startFollowing();
+  teleop_->parkSoonOnThrow([] { throw std::runtime_error("a bad number"); });
+  ASSERT_TRUE(suture::clockOfTest().until([&] { return slave_.holds() == 1; }));
+  pass(1s);
+  EXPECT_EQ(teleop_->state(), suture::ComponentState::Running) << "it was restarted";
+  EXPECT_EQ(operator_.state(), TeleopState::Disabled);
+  EXPECT_EQ(wayOfSlave({0.1, 0, 0}), Vector3d::Zero());
+  ASSERT_TRUE(operator_.teleop.enable());
+  ASSERT_TRUE(reaches(TeleopState::Following));
+  pass(5ms);
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
+}
+
+TEST_F(TeleopStates, AFaultStopsATurningMaster) {
+  master_.refuseMoves(true);
+  start();
+  ASSERT_TRUE(reaches(TeleopState::Aligning));
+  teleop_->parkSoonOnThrow([] { throw std::runtime_error("a bad number"); });
   EXPECT_TRUE(suture::clockOfTest().until([&] { return master_.holds() == 1; }));
 }
 

@@ -132,6 +132,7 @@ class Guide : public testing::Test {
   const bool added_ = [this] {
     manager_.add("Eyes", eyes_);
     manager_.add("Registration", registration_);
+    guide_.restartAfterFaults({.most = 1, .per = 24h});
     manager_.add("Guide", guide_);
     manager_.add("Listener", listener_);
     manager_.add("Complaints", complaints_);
