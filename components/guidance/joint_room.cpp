@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -39,6 +40,24 @@ std::optional<JointBounds> jointBounds(const JointConfiguration& configuration) 
                                 .cwiseMin(-listed(configuration.velocity_min, -kInfinity));
   return JointBounds{listed(configuration.position_min, -kInfinity),
                      listed(configuration.position_max, kInfinity), slowest};
+}
+
+double turnShare(const JointBounds& bounds, const JointState& setpoint, const Jacobian& jacobian,
+                 const TipAhead& ahead, double seconds) {
+  const auto inverse = inverseOf(JacobianMatrix::Map(jacobian.coefficients.data()));
+  const TipJoints turn = inverse.rightCols<3>() * ahead.turns;
+  const TipJoints before = TipJoints::Map(setpoint.position.data()) +
+                           inverse.leftCols<3>() * ahead.moved +
+                           inverse.rightCols<3>() * (ahead.turned - ahead.turns);
+  double share = 1;
+  for (int joint = 0; joint < kTipJoints; ++joint) {
+    const bool up = turn[joint] > 0;
+    const double left =
+        up ? bounds.upper[joint] - before[joint] : before[joint] - bounds.lower[joint];
+    const double room = std::clamp(left, 0.0, seconds * bounds.rate[joint]);
+    if (std::abs(turn[joint]) > room) share = std::min(share, room / std::abs(turn[joint]));
+  }
+  return share;
 }
 
 JointRoom jointRoom(const JointBounds& bounds, const JointState& setpoint, const Jacobian& jacobian,

@@ -31,6 +31,12 @@ struct TipAhead {
   Eigen::Vector3d turns;   ///< rad: of that, what is the next step's
 };
 
+/// Returns the share, of 0 to 1, of the next step's turn that `bounds` permit while the tip stays
+/// where it is. A joint that is beyond a limit may still come back. Never allocates. Both must be
+/// of kTipJoints joints, as `bounds` are.
+double turnShare(const JointBounds& bounds, const JointState& setpoint, const Jacobian& jacobian,
+                 const TipAhead& ahead, double seconds);
+
 /// Says how the next step of a tip moves the joints of its arm, and how far they may go in it. One
 /// that is made without bounds forbids nothing.
 struct JointRoom {

@@ -45,6 +45,12 @@ Vector3d turnBetween(const Matrix3d& from, const Matrix3d& to) {
   return turn.angle() * turn.axis();
 }
 
+/// Returns the orientation that is at such a share of the way from one to another.
+Matrix3d between(const Matrix3d& from, const Matrix3d& to, double share) {
+  const Eigen::AngleAxisd turn(to * from.transpose());
+  return Eigen::AngleAxisd(share * turn.angle(), turn.axis()) * from;
+}
+
 }  // namespace
 
 KnotGuide::Side::Side(KnotGuide& guide, const char* masterName, const char* slaveName)
@@ -143,7 +149,7 @@ bool KnotGuide::readArms() {
 bool KnotGuide::read(Side& side) {
   const auto poses = side.arms.poses(parameters_.max_age);
   if (!poses || !side.arms.ready()) return false;
-  side.readJoints(parameters_.max_age);
+  if (parameters_.fixtures) side.readJoints(parameters_.max_age);
   side.poses = *poses;
   return true;
 }
@@ -207,14 +213,16 @@ bool KnotGuide::mustBeginAnew() {
 /// Returns false if it is not known where things stand now.
 bool KnotGuide::begin() {
   if (!sceneIsKnown_) return false;
-  for (Side* side : {&left_, &right_}) side->anchor(side->poses.slave.pose, parameters_.scale);
+  for (Side* side : {&left_, &right_}) {
+    side->anchor(side->poses.slave.pose, parameters_.scale);
+    side->turned = side->poses.slave.pose.linear();
+  }
   tips_ = setpoints_;
   return true;
 }
 
 void KnotGuide::Side::anchor(const Isometry3d& slaveSetpoint, double scale) {
   law.emplace(poses.master.pose, slaveSetpoint, FollowSettings{.scale = scale, .view = view});
-  turned = slaveSetpoint.linear();
 }
 
 /// With another view it goes on from where the last cycle led it, because a camera that moves must
@@ -226,9 +234,9 @@ void KnotGuide::Side::look(const Eigen::Matrix3d& newView, double scale) {
 }
 
 bool KnotGuide::move() {
-  const Isometry3d left = left_.law->follow(left_.poses.master.pose);
-  const Isometry3d right = right_.law->follow(right_.poses.master.pose);
   const double seconds = inSeconds(parameters_.period);
+  const Isometry3d left = left_.goal(frames_.left_base, tips_.left, seconds);
+  const Isometry3d right = right_.goal(frames_.right_base, tips_.right, seconds);
   const TipPair step = permitted({frames_.left_base * left.translation() - tips_.left,
                                   frames_.right_base * right.translation() - tips_.right},
                                  {left_.room(left, frames_.left_base, tips_.left, seconds),
@@ -239,13 +247,28 @@ bool KnotGuide::move() {
   return send(right_, right, frames_.right_base, tips_.right) && leftTook;
 }
 
+/// An arm that is asked to turn its tool beyond a joint's limit would slide along the limit, and
+/// its tip with it, where no fixture has looked.
+Isometry3d KnotGuide::Side::goal(const Isometry3d& base, const Vector3d& tip,
+                                 double seconds) const {
+  Isometry3d goal = law->follow(poses.master.pose);
+  if (!bounds || !knowsJoints) return goal;
+  const double share = turnShare(*bounds, setpointJs, jacobian, ahead(goal, base, tip), seconds);
+  if (share < 1) goal.linear() = between(turned, goal.linear(), share);
+  return goal;
+}
+
 JointRoom KnotGuide::Side::room(const Isometry3d& goal, const Isometry3d& base, const Vector3d& tip,
                                 double seconds) const {
   if (!bounds || !knowsJoints) return {};
-  const TipAhead ahead{.moved = base.inverse() * tip - poses.slave.pose.translation(),
-                       .turned = turnBetween(poses.slave.pose.linear(), goal.linear()),
-                       .turns = turnBetween(turned, goal.linear())};
-  return jointRoom(*bounds, setpointJs, jacobian, ahead, base.linear(), seconds);
+  return jointRoom(*bounds, setpointJs, jacobian, ahead(goal, base, tip), base.linear(), seconds);
+}
+
+TipAhead KnotGuide::Side::ahead(const Isometry3d& goal, const Isometry3d& base,
+                                const Vector3d& tip) const {
+  return {.moved = base.inverse() * tip - poses.slave.pose.translation(),
+          .turned = turnBetween(poses.slave.pose.linear(), goal.linear()),
+          .turns = turnBetween(turned, goal.linear())};
 }
 
 TipPair KnotGuide::permitted(const TipPair& desired, const RoomPair& rooms) {

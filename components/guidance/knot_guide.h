@@ -100,9 +100,15 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
     void anchor(const Eigen::Isometry3d& slaveSetpoint, double scale);
     void look(const Eigen::Matrix3d& newView, double scale);
     void readJoints(suture::Duration maxAge);
+    /// Returns where the law leads the slave, whose tip has been sent to `tip` (in the scene), with
+    /// the tool turned only as far as the joints have room for.
+    Eigen::Isometry3d goal(const Eigen::Isometry3d& base, const Eigen::Vector3d& tip,
+                           double seconds) const;
     /// Returns the room of a step from `tip` (in the scene) that also turns the tool as `goal` is.
     JointRoom room(const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
                    const Eigen::Vector3d& tip, double seconds) const;
+    TipAhead ahead(const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
+                   const Eigen::Vector3d& tip) const;
 
     suture::Required<Arm> master, slave;
     ArmPair arms{master, slave};

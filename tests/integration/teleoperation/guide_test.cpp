@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "integration/teleoperation/scene/guided_arms.h"
@@ -13,6 +14,11 @@ namespace {
 
 // The guide sends at most this far from where a slave is, by data as old as allowed.
 constexpr double kMostAstray = 0.004;  // m
+
+/// Returns how far it is turned about z, rad.
+double angleOf(const Eigen::Isometry3d& pose) {
+  return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
+}
 
 TEST_F(Guide, HasBothSlavesFollowTheirMasters) { expectThatBothFollow(); }
 
@@ -166,6 +172,35 @@ TEST_F(Guide, LeadsNoSlaveBeyondItsJoints) {
   pass(5ms);
   EXPECT_NEAR(right().z() - rightBefore, 0.04, 1e-3);
   EXPECT_NEAR(left().z(), -0.03, 1e-3);
+}
+
+/// An arm would slide along the limit, and its tip would leave the way that the fixtures permit.
+TEST_F(Guide, TurnsNoSlaveBeyondItsJoints) {
+  constexpr double kLimit = 0.1;
+  arms_[2].beAGantryAbove(-1);
+  arms_[2].turnUpTo(kLimit);
+  pass(10ms);
+  forgetGoals();
+  turnMasters(0.3, 300);
+  for (const PoseStamped& goal : arms_[2].goals()) ASSERT_LT(angleOf(goal.pose), kLimit + 1e-6);
+  EXPECT_NEAR(angleOf(arms_[2].pose()), kLimit, 1e-3);
+  EXPECT_NEAR(angleOf(arms_[3].pose()), 0.3, 1e-6) << "the other one turns on";
+  expectThatBothFollow();
+  turnMasters(-0.3, 300);
+  EXPECT_NEAR(angleOf(arms_[2].pose()), 0, 1e-6) << "it came back with the hand";
+}
+
+/// A camera that is moved must not let the tool catch up with a hand beyond its joints.
+TEST_F(Guide, TurnsNoSlaveBeyondItsJointsWhenTheCameraIsMoved) {
+  arms_[2].beAGantryAbove(-1);
+  arms_[2].turnUpTo(0.1);
+  pass(10ms);
+  turnMasters(0.3, 300);
+  Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();
+  camera.rotate(Eigen::AngleAxisd(0.2, Vector3d::UnitX()));
+  registration_.set_camera(camera);
+  pass(50ms);
+  EXPECT_NEAR(angleOf(arms_[2].pose()), 0.1, 1e-3);
 }
 
 // No goal leads there while its tool is not in, so the surgeon must not believe that it is guided.

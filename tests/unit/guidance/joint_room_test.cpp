@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -68,6 +69,54 @@ TEST_F(Room, EndsWhereTheLimitsOfTheJointsAre) {
         << (moved - room.least).transpose();
     EXPECT_TRUE((room.most - moved).isApproxToConstant(2 * kLeft, 0.02))
         << (room.most - moved).transpose();
+  }
+}
+
+TEST_F(Room, TurnsTheToolAsFarAsTheFirstJointGoes) {
+  for (int i = 0; i < 1000; ++i) {
+    const TipJoints q = anywhere();
+    stand(q);
+    const Vector3d turn = anyOf(2e-3);
+    const TipAhead ahead{.moved = Vector3d::Zero(), .turned = turn, .turns = turn};
+    Eigen::Isometry3d goal = chain_.forward(q);
+    goal.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * goal.linear();
+    const auto there = kinematics::psmInverse(chain_, goal, q);
+    ASSERT_TRUE(there.found);
+    const double farthest = (there.q - q).cwiseAbs().maxCoeff();
+    const auto share = [&](double room) {
+      const JointBounds bounds{q.array() - room, q.array() + room, TipJoints::Constant(kInfinity)};
+      return turnShare(bounds, setpoint_, jacobian_, ahead, 0.001);
+    };
+    EXPECT_NEAR(share(farthest / 2), 0.5, 0.02);
+    EXPECT_EQ(share(0), 0);
+    EXPECT_EQ(share(2 * farthest), 1);
+  }
+}
+
+TEST_F(Room, TurnsTheToolNoFasterThanAJoint) {
+  stand(anywhere());
+  const TipAhead ahead{Vector3d::Zero(), {0, 0, 2e-3}, {0, 0, 2e-3}};
+  const auto share = [&](double rate) {
+    const TipJoints far = TipJoints::Constant(10);
+    return turnShare({-far, far, TipJoints::Constant(rate)}, setpoint_, jacobian_, ahead, 0.001);
+  };
+  EXPECT_EQ(share(100), 1);
+  EXPECT_LT(share(0.1), 1);
+  EXPECT_NEAR(share(0.05), share(0.1) / 2, 1e-9);
+}
+
+TEST_F(Room, LetsAJointComeBackFromBeyondItsLimit) {
+  const TipJoints q = anywhere();
+  stand(q);
+  const TipAhead ahead{Vector3d::Zero(), {0, 0, 2e-3}, {0, 0, 2e-3}};
+  const TipAhead back{Vector3d::Zero(), -ahead.turned, -ahead.turns};
+  const TipJoints far = TipJoints::Constant(10), fast = TipJoints::Constant(kInfinity);
+  for (int joint = 0; joint < kTipJoints; ++joint) {
+    JointBounds bounds{-far, far, fast};
+    bounds.upper[joint] = q[joint] - 0.01;
+    const double one = turnShare(bounds, setpoint_, jacobian_, ahead, 0.001);
+    const double other = turnShare(bounds, setpoint_, jacobian_, back, 0.001);
+    EXPECT_EQ(std::max(one, other), 1) << joint;
   }
 }
 

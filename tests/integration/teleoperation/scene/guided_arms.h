@@ -94,6 +94,16 @@ class Guide : public testing::Test {
       pass(1ms);
     }
   }
+  /// Both masters turn about z by so much within the time, rad.
+  void turnMasters(double by, int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
+      for (ScriptedArm* master : {&arms_[0], &arms_[1]}) {
+        master->place(master->pose() * Eigen::AngleAxisd(by / milliseconds, Vector3d::UnitZ()));
+      }
+      pass(1ms);
+    }
+    pass(5ms);
+  }
   Vector3d left() const { return arms_[2].pose().translation(); }
   Vector3d right() const { return arms_[3].pose().translation(); }
   /// Makes what the registration tells take so much longer from now on.

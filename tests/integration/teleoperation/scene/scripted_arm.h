@@ -5,7 +5,9 @@
 #include <suture/component/task/periodic_task.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <mutex>
@@ -74,6 +76,12 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     for (std::size_t i = 0; i < 6; ++i) jacobian_.coefficients[7 * i] = 1;
     jacobian_.valid = true;
   }
+  /// Says of that gantry also how it is turned about z, and that it cannot be turned farther, rad.
+  void turnUpTo(double angle) {
+    const std::lock_guard lock(mutex_);
+    configuration_.position_max[5] = angle;
+    saysTurn_ = true;
+  }
   /// Does not move by itself: it ignores move_cp.
   void refuseMoves(bool refuse) {
     const std::lock_guard lock(mutex_);
@@ -130,11 +138,12 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   const OperatingState& operating_state() const override { return state_; }
   const JointConfiguration& configuration_js() const override { return configuration_; }
   const Jacobian& spatial_jacobian() const override { return jacobian_; }
-  /// It does not say how it is turned.
   const JointState& setpoint_js() const override {
     const Eigen::Vector3d place = pose().translation();
+    const Eigen::Matrix3d turned = pose().linear();
+    const double turn = saysTurn_ ? std::atan2(turned(1, 0), turned(0, 0)) : 0;
     setpointJs_.valid = jacobian_.valid;
-    setpointJs_.position.assign({place.x(), place.y(), place.z(), 0, 0, 0});
+    setpointJs_.position.assign({place.x(), place.y(), place.z(), 0, 0, turn});
     return setpointJs_;
   }
 
@@ -181,6 +190,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   std::size_t moves_ = 0, holds_ = 0;
   std::optional<ArmWarning> said_;
   bool silent_ = false, stuck_ = false, refusesMoves_ = false, saysDisabled_ = false;
+  std::atomic<bool> saysTurn_ = false;
   suture::Time stamp_;
   OperatingState state_;
   JointConfiguration configuration_;
