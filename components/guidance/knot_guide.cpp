@@ -271,10 +271,13 @@ TipAhead KnotGuide::Side::ahead(const Isometry3d& goal, const Isometry3d& base,
           .turns = turnBetween(turned, goal.linear())};
 }
 
+/// The knot is estimated from where the slaves say that their tips are, which comes back late; the
+/// fixtures are about where they have been sent.
 TipPair KnotGuide::permitted(const TipPair& desired, const RoomPair& rooms) {
   const double seconds = inSeconds(parameters_.period);
   if (parameters_.fixtures) {
-    return fixtures_.constrain(tips_, progress_.knot, desired, seconds, rooms);
+    const Vector3d knot = progress_.knot + tips_.mean() - setpoints_.mean();
+    return fixtures_.constrain(tips_, knot, desired, seconds, rooms);
   }
   const double most = parameters_.speed * seconds;
   return {desired.left.cwiseMin(most).cwiseMax(-most),

@@ -174,6 +174,23 @@ TEST_F(Guide, LeadsNoSlaveBeyondItsJoints) {
   EXPECT_NEAR(left().z(), -0.03, 1e-3);
 }
 
+/// A knot that is estimated by them is behind the tips that are led.
+TEST_F(Guide, KeepsTheKnotInItsCorridorThoughSlavesAnswerLate) {
+  const GuideParameters corridor;
+  eyes_.seen_.knot.x() = 0.02;
+  for (ScriptedArm* slave : {&arms_[2], &arms_[3]}) slave->answerLate(15);
+  pass(300ms);
+  ASSERT_NEAR(guide_.progress().knot.x(), 0.02, 1e-6);
+  eyes_.covered = true;  // these see a knot that does not move
+  const Vector3d before = (left() + right()) / 2;
+  moveMasters({0.05, 0, 0}, 150);
+  pass(20ms);
+  ASSERT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
+  const Vector3d knot = eyes_.seen_.knot + (left() + right()) / 2 - before;
+  const double ahead = knot.z() - corridor.target.z();
+  EXPECT_NEAR(knot.x(), corridor.radius + corridor.slope * ahead, 1e-5) << "it went along its edge";
+}
+
 /// An arm would slide along the limit, and its tip would leave the way that the fixtures permit.
 TEST_F(Guide, TurnsNoSlaveBeyondItsJoints) {
   constexpr double kLimit = 0.1;

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -82,6 +83,11 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     configuration_.position_max[5] = angle;
     saysTurn_ = true;
   }
+  /// Says where it was so many cycles ago, as an arm does that is far away.
+  void answerLate(std::size_t cycles) {
+    const std::lock_guard lock(mutex_);
+    late_ = cycles;
+  }
   /// Does not move by itself: it ignores move_cp.
   void refuseMoves(bool refuse) {
     const std::lock_guard lock(mutex_);
@@ -134,7 +140,10 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     ++holds_;
   }
   PoseStamped measured_cp() const override { return {pose(), stamp_, true}; }
-  PoseStamped setpoint_cp() const override { return {pose(), stamp_, true}; }
+  PoseStamped setpoint_cp() const override {
+    const std::lock_guard lock(mutex_);
+    return {past_.empty() ? pose_ : past_.front(), stamp_, true};
+  }
   const OperatingState& operating_state() const override { return state_; }
   const JointConfiguration& configuration_js() const override { return configuration_; }
   const Jacobian& spatial_jacobian() const override { return jacobian_; }
@@ -178,6 +187,8 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   }
   bool isSilent() {
     const std::lock_guard lock(mutex_);
+    past_.push_back(pose_);
+    while (past_.size() > late_ + 1) past_.pop_front();
     if (!stuck_) stamp_ = suture::now();
     return silent_;
   }
@@ -185,6 +196,8 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   mutable std::mutex mutex_;
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
   std::vector<PoseStamped> goals_;
+  std::deque<Eigen::Isometry3d> past_;  // the oldest first, with the present pose
+  std::size_t late_ = 0;                // cycles
   double longestStep_ = std::numeric_limits<double>::infinity();
   double lowest_ = -std::numeric_limits<double>::infinity();
   std::size_t moves_ = 0, holds_ = 0;
