@@ -16,9 +16,11 @@ class ArmWatch {
  public:
   explicit ArmWatch(suture::Required<Arm>& arm) : arm_(arm) {
     arm_.on().operating_state([this](const OperatingState& state) {
+      const bool ended = busy_ && !state.is_busy;
       state_ = state.state;
       homed_ = state.is_homed;
       busy_ = state.is_busy;
+      homing_ = homing_ && !ended && !homed_ && isEnabled();
       enableAsked_ = enableAsked_ || isEnabled();
       homeAsked_ = homeAsked_ || homed_;
     });
@@ -55,8 +57,15 @@ class ArmWatch {
     if (state_ == ArmState::Disabled && !enableAsked_) {
       enableAsked_ = arm_.enable().has_value();
     } else if (isEnabled() && !homed_ && !busy_ && !homeAsked_) {
-      homeAsked_ = arm_.home().has_value();
+      homeAsked_ = homing_ = arm_.home().has_value();
     }
+  }
+  /// Ends a way home that prepare() began: the arm holds where it is, and prepare() may home it
+  /// again. Leaves an arm alone that somebody else moves.
+  void stopHoming() {
+    if (!std::exchange(homing_, false)) return;
+    homeAsked_ = false;
+    (void)arm_.hold();
   }
   /// Lets prepare() ask again for what the arm is not, which an operator must have decided.
   void permit() {
@@ -75,6 +84,7 @@ class ArmWatch {
   bool refuses_ = false;
   bool enableAsked_ = false;  // or it has been enabled since somebody permitted it
   bool homeAsked_ = false;    // and so with its home
+  bool homing_ = false;       // by this object
 };
 
 }  // namespace robots

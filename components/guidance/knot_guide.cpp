@@ -83,6 +83,7 @@ void KnotGuide::disable() {
 /// Leaves guiding, because a guide that does not run must not say that it guides.
 void KnotGuide::onSuspend() {
   if (state_ == GuidanceState::Disabled) return;
+  for (Side* side : {&left_, &right_}) side->arms.stopPreparing();
   progress_.valid = false;
   leave(GuidanceState::Preparing);
 }
@@ -297,6 +298,7 @@ bool KnotGuide::send(Side& side, const Isometry3d& goal, const Isometry3d& base,
 void KnotGuide::leave(GuidanceState state) {
   for (Side* side : {&left_, &right_}) {
     if (state_ == GuidanceState::Guiding) side->arms.holdSlave();
+    if (state == GuidanceState::Disabled) side->arms.stopPreparing();
     side->law.reset();
     side->bounds.reset();  // the slave may be another one when it goes on
   }

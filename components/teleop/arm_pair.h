@@ -46,6 +46,11 @@ class ArmPair {
     masterWatch_.permit();
     slaveWatch_.permit();
   }
+  /// Ends what prepare() began and is still under way, before nobody watches it any more.
+  void stopPreparing() {
+    masterWatch_.stopHoming();
+    slaveWatch_.stopHoming();
+  }
   /// Returns both poses; none if either may not be acted on, or is older than `maxAge`.
   std::optional<ArmPoses> poses(suture::Duration maxAge) {
     const auto masterSample = master_.measured_cp();

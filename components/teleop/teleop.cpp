@@ -35,6 +35,7 @@ void Teleop::onStart() {
 
 /// Stops, because nothing would watch a motion that went on.
 void Teleop::onSuspend() {
+  arms_.stopPreparing();
   if (state_ != TeleopState::Disabled) leave(TeleopState::Preparing);
 }
 
@@ -182,11 +183,12 @@ void Teleop::giveUp(const char* why) {
 }
 
 /// Ends following. A slave that can obey holds where it is, and so does a master that is being
-/// turned.
+/// turned. Nor does an arm go on home for a teleoperation that is disabled.
 void Teleop::leave(TeleopState state) {
   law_.reset();
   if (state_ == TeleopState::Following) arms_.holdSlave();
   if (state != TeleopState::Aligning) alignment_.end();
+  if (state == TeleopState::Disabled) arms_.stopPreparing();
   jawFollower_.end();
   enter(state);
 }

@@ -106,6 +106,22 @@ TEST_F(Guide, DoesNotSayThatItGuidesWhileItIsSuspended) {
   EXPECT_TRUE(becomes(GuidanceState::Guiding));
 }
 
+TEST_F(Guide, StopsAnArmOnItsWayHomeWhenItIsSuspendedOrDisabled) {
+  arms_[2].forgetHome();
+  ASSERT_TRUE(becomes(GuidanceState::Preparing));
+  guide_.enable();
+  ASSERT_TRUE(suture::clockOfTest().until([&] { return arms_[2].homes() == 1; }));
+  pass(50ms);
+  EXPECT_EQ(arms_[2].holds(), 0u);
+  manager_.suspend("Guide");
+  EXPECT_TRUE(suture::clockOfTest().until([&] { return arms_[2].holds() == 1; }));
+  manager_.resume("Guide");
+  ASSERT_TRUE(suture::clockOfTest().until([&] { return arms_[2].homes() == 2; }));
+  pass(50ms);
+  ASSERT_TRUE(listener_.guidance.disable());
+  EXPECT_TRUE(suture::clockOfTest().until([&] { return arms_[2].holds() == 2; }));
+}
+
 /// Nobody knows yet why it faulted, so it must not go on by itself.
 TEST_F(Guide, HoldsAndIsDisabledAfterAFault) {
   guide_.parkSoonOnThrow([] { throw std::runtime_error("a bad number"); });

@@ -390,6 +390,43 @@ TEST_F(TeleopStates, ASuspendStopsATurningMaster) {
   EXPECT_TRUE(suture::clockOfTest().until([&] { return master_.holds() == 1; }));
 }
 
+TEST_F(TeleopStates, ASuspendStopsAnArmOnItsWayHome) {
+  slave_.forgetHome();
+  start();
+  ASSERT_TRUE(suture::clockOfTest().until([&] { return slave_.homes() == 1; }));
+  pass(50ms);
+  EXPECT_EQ(slave_.holds(), 0u);
+  manager_.suspend("Teleop");
+  EXPECT_TRUE(suture::clockOfTest().until([&] { return slave_.holds() == 1; }));
+  pass(50ms);
+  manager_.resume("Teleop");
+  EXPECT_TRUE(suture::clockOfTest().until([&] { return slave_.homes() == 2; }));
+}
+
+TEST_F(TeleopStates, WhoDisablesItStopsAnArmOnItsWayHome) {
+  master_.forgetHome();
+  start();
+  ASSERT_TRUE(suture::clockOfTest().until([&] { return master_.homes() == 1; }));
+  pass(50ms);
+  ASSERT_TRUE(operator_.teleop.disable());
+  EXPECT_TRUE(suture::clockOfTest().until([&] { return master_.holds() == 1; }));
+  pass(50ms);
+  EXPECT_EQ(master_.homes(), 1u);
+}
+
+TEST_F(TeleopStates, WhoDisablesItLeavesAnArmAloneThatSomebodyElseHomes) {
+  slave_.forgetHome();
+  slave_.home();
+  start();
+  ASSERT_TRUE(reaches(TeleopState::Preparing));
+  pass(50ms);
+  ASSERT_TRUE(operator_.teleop.disable());
+  ASSERT_TRUE(reaches(TeleopState::Disabled));
+  pass(50ms);
+  EXPECT_EQ(slave_.homes(), 1u);
+  EXPECT_EQ(slave_.holds(), 0u);
+}
+
 /// Nobody knows yet why it faulted, so it must not go on by itself.
 TEST_F(TeleopStates, AFaultStopsTheSlaveAndDisablesIt) {
   startFollowing();

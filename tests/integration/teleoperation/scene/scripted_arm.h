@@ -88,6 +88,16 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     late_ = cycles;
   }
+  /// Makes it say that it is not homed; home() is a way without an end, which hold() ends.
+  void forgetHome() {
+    const std::lock_guard lock(mutex_);
+    forgot_ = true;
+  }
+  /// Returns how often it was told to go home.
+  std::size_t homes() const {
+    const std::lock_guard lock(mutex_);
+    return homes_;
+  }
   /// Does not move by itself: it ignores move_cp.
   void refuseMoves(bool refuse) {
     const std::lock_guard lock(mutex_);
@@ -135,9 +145,15 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     ++moves_;
     if (!refusesMoves_) pose_ = goal.pose;
   }
+  void home() override {
+    const std::lock_guard lock(mutex_);
+    ++homes_;
+    homing_ = forgot_;
+  }
   void hold() override {
     const std::lock_guard lock(mutex_);
     ++holds_;
+    homing_ = false;
   }
   PoseStamped measured_cp() const override { return {pose(), stamp_, true}; }
   PoseStamped setpoint_cp() const override {
@@ -159,14 +175,10 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
  private:
   static constexpr double kFar = 10;
 
-  void onStart() override {
-    state_.is_homed = true;
-    tellState(ArmState::Enabled);
-  }
+  void onStart() override { tellStateIfNew(); }
   void run() override {
     tellWarning();
-    const ArmState state = saysDisabled() ? ArmState::Disabled : ArmState::Enabled;
-    if (state != state_.state) tellState(state);
+    tellStateIfNew();
     if (!isSilent()) port_.advance();
   }
   void tellWarning() {
@@ -177,13 +189,15 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     port_.emit().warning(message);
     said_.reset();
   }
-  void tellState(ArmState state) {
-    state_.state = state;
-    port_.emit().operating_state(state_);
-  }
-  bool saysDisabled() const {
+  void tellStateIfNew() {
     const std::lock_guard lock(mutex_);
-    return saysDisabled_;
+    const ArmState state = saysDisabled_ ? ArmState::Disabled : ArmState::Enabled;
+    const bool isNew =
+        state != state_.state || state_.is_homed == forgot_ || state_.is_busy != homing_;
+    state_.state = state;
+    state_.is_homed = !forgot_;
+    state_.is_busy = homing_;
+    if (isNew) port_.emit().operating_state(state_);
   }
   bool isSilent() {
     const std::lock_guard lock(mutex_);
@@ -200,8 +214,9 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   std::size_t late_ = 0;                // cycles
   double longestStep_ = std::numeric_limits<double>::infinity();
   double lowest_ = -std::numeric_limits<double>::infinity();
-  std::size_t moves_ = 0, holds_ = 0;
+  std::size_t moves_ = 0, holds_ = 0, homes_ = 0;
   std::optional<ArmWarning> said_;
+  bool forgot_ = false, homing_ = false;
   bool silent_ = false, stuck_ = false, refusesMoves_ = false, saysDisabled_ = false;
   std::atomic<bool> saysTurn_ = false;
   suture::Time stamp_;
