@@ -45,6 +45,11 @@ Vector3d turnBetween(const Matrix3d& from, const Matrix3d& to) {
   return turn.angle() * turn.axis();
 }
 
+bool haveSameBases(const SceneFrames& one, const SceneFrames& other) {
+  return one.left_base.isApprox(other.left_base, 1e-12) &&
+         one.right_base.isApprox(other.right_base, 1e-12);
+}
+
 /// Returns the orientation that is at such a share of the way from one to another.
 Matrix3d between(const Matrix3d& from, const Matrix3d& to, double share) {
   const Eigen::AngleAxisd turn(to * from.transpose());
@@ -131,11 +136,19 @@ bool KnotGuide::readScene() {
   const auto frames = registration_.frames();
   sceneIsKnown_ = frames && frames.age() <= parameters_.registration_age;
   if (!sceneIsKnown_) return left_.law.has_value();
+  if (!haveSameBases(frames_, *frames)) forgetScene();
   frames_ = *frames;
   fixtures_.setTissue(frames_.tissue);
   left_.look(surgeonView(frames_, robots::Side::Left, robots::Side::Left), parameters_.scale);
   right_.look(surgeonView(frames_, robots::Side::Right, robots::Side::Right), parameters_.scale);
   return true;
+}
+
+/// Lets guiding begin anew, because tips and knot are elsewhere in a scene whose bases were
+/// corrected. No arm has moved, so none must.
+void KnotGuide::forgetScene() {
+  estimate_.forget();
+  for (Side* side : {&left_, &right_}) side->law.reset();
 }
 
 /// Returns false unless the data of all four arms and the registration may be acted on.

@@ -125,6 +125,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
 
   void step();
   bool readScene();
+  void forgetScene();
   bool readArms();
   bool read(Side& side);
   void lookForKnot();

@@ -75,6 +75,32 @@ TEST_F(Guide, SeesNothingInPicturesFromBeforeTheRegistration) {
   manager_.stop();  // before its components are gone
 }
 
+/// The arms have not moved; only what is known of them has changed.
+TEST_F(Guide, MovesNoSlaveWhenABaseIsCorrected) {
+  RegistrationTable corrected{[] {
+    SceneFrames frames;
+    frames.left_base.translation().y() = 0.002;
+    return frames;
+  }()};
+  manager_.add("Corrected", corrected);
+  manager_.start();
+  const Vector3d leftHeld = left(), rightHeld = right();
+  manager_.disconnect("Guide/Registration");
+  manager_.connect("Guide/Registration", "Corrected/Registration");
+  forgetGoals();
+  pass(100ms);
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
+  for (const std::size_t slave : {2, 3}) {
+    const Vector3d& held = slave == 2 ? leftHeld : rightHeld;
+    for (const PoseStamped& goal : arms_[slave].goals()) {
+      EXPECT_TRUE(goal.pose.translation().isApprox(held, 1e-9)) << "it jumped";
+    }
+  }
+  EXPECT_GT(goals(), 0u);
+  expectThatBothFollow();
+  manager_.stop();  // before its components are gone
+}
+
 /// Turns what stands there about `centre`, m.
 void turn(Eigen::Isometry3d& frame, const Vector3d& centre, double angle, const Vector3d& axis) {
   const Eigen::Translation3d there(centre);
