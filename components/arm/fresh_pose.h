@@ -6,6 +6,7 @@
 
 #include "robot_types/pose.h"
 #include "robot_types/rigid_pose.h"
+#include "timing/recent.h"
 
 namespace robots {
 
@@ -17,12 +18,12 @@ inline const PoseStamped* freshPose(const suture::Sample<PoseStamped>& sample,
   return usable ? &*sample : nullptr;
 }
 
-/// Returns the same if it was also measured no longer ago than `maxAge`; else null. A row may be
-/// newer than the measurement that it carries.
+/// Returns the same if it was also measured no longer ago than `maxAge`, and not in the future;
+/// else null. A row may be newer than the measurement that it carries.
 inline const PoseStamped* freshMeasurement(const suture::Sample<PoseStamped>& sample,
                                            suture::Duration maxAge) {
   const PoseStamped* const pose = freshPose(sample, maxAge);
-  return pose != nullptr && suture::now() - pose->stamp <= maxAge ? pose : nullptr;
+  return pose != nullptr && isRecent(pose->stamp, maxAge) ? pose : nullptr;
 }
 
 }  // namespace robots

@@ -5,6 +5,7 @@
 
 #include "pedals/foot_pedals.suture.h"
 #include "pedals/operator_presence.suture.h"
+#include "timing/recent.h"
 
 namespace robots {
 
@@ -12,7 +13,8 @@ namespace robots {
 /// declared after them.
 class OperatorWatch {
  public:
-  /// Data that are older than `maxAge` count as unknown.
+  /// Data of which the row or the stamp is older than `maxAge` count as unknown, and so do those of
+  /// the future.
   OperatorWatch(suture::Required<FootPedals>& pedals, suture::Required<OperatorPresence>& presence,
                 suture::Duration maxAge)
       : pedals_(pedals), presence_(presence), maxAge_(maxAge) {}
@@ -31,7 +33,7 @@ class OperatorWatch {
  private:
   template <class Value>
   bool isFresh(const suture::Sample<Value>& sample) const {
-    return sample && suture::now() - sample->stamp <= maxAge_;
+    return sample && sample.age() <= maxAge_ && isRecent(sample->stamp, maxAge_);
   }
 
   suture::Required<FootPedals>& pedals_;

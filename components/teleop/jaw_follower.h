@@ -10,6 +10,7 @@
 #include "arm/gripper.suture.h"
 #include "arm/jaw.suture.h"
 #include "teleop/jaw_law.h"
+#include "timing/recent.h"
 #include "timing/seconds.h"
 
 namespace robots {
@@ -29,7 +30,7 @@ class JawFollower {
   void follow(suture::Time now) {
     const auto gripper = gripper_.measured_js(gripperState_);
     const auto jaw = jaw_.setpoint_js(jawState_);
-    if (!isFresh(gripper, gripperState_, now) || !isFresh(jaw, jawState_, now)) return end();
+    if (!isFresh(gripper, gripperState_) || !isFresh(jaw, jawState_)) return end();
     if (!law_) law_.emplace(settings_, jawState_.position.front());
     const double seconds = inSeconds(std::min(now - last_.value_or(now), maxAge_));
     last_ = now;
@@ -45,9 +46,9 @@ class JawFollower {
   }
 
  private:
-  bool isFresh(const suture::Sample<void>& sample, const JointState& state,
-               suture::Time now) const {
-    return sample && state.valid && state.position.size() == 1 && now - state.stamp <= maxAge_;
+  bool isFresh(const suture::Sample<void>& sample, const JointState& state) const {
+    return sample && sample.age() <= maxAge_ && state.valid && state.position.size() == 1 &&
+           isRecent(state.stamp, maxAge_);
   }
 
   suture::Required<Gripper>& gripper_;

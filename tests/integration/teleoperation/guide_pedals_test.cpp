@@ -51,6 +51,22 @@ TEST_F(GuideWithPedals, HoldsBothSlavesWhilePedalsAreSilent) {
   expectThatBothHoldUntil([&] { console_.stuck = false; });
 }
 
+TEST_F(GuideWithPedals, HoldsBothSlavesWhilePedalsAreOfTheFuture) {
+  console_.ahead = 1000;
+  expectThatBothHoldUntil([&] { console_.ahead = 0; });
+}
+
+/// A clock that is ahead makes them no newer.
+TEST_F(GuideWithPedals, HoldsBothSlavesWithoutNewRowsOfThePedals) {
+  console_.ahead = 150;
+  pass(20ms);
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Guiding) << "that is near enough";
+  manager_.disconnect("Guide/Pedals");
+  manager_.connect("Guide/Pedals", "Console/Pedals", {.delay = {.answers = 250ms}});
+  pass(300ms);
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Clutched);
+}
+
 /// The knot is not lost meanwhile, since only the tips move it.
 TEST_F(GuideWithPedals, KnowsWhereTheKnotIsWhileTheClutchIsPressed) {
   console_.clutch = true;

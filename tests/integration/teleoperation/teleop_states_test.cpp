@@ -251,6 +251,22 @@ TEST_F(TeleopStates, SilentPedalsClutchToo) {
   expectClutchedUntil([&] { console_.stuck = false; });
 }
 
+TEST_F(TeleopStates, SoDoPedalsOfTheFuture) {
+  startFollowing();
+  console_.ahead = 1000;
+  expectClutchedUntil([&] { console_.ahead = 0; });
+}
+
+TEST_F(TeleopStates, AMasterOfTheFutureIsNotFollowed) {
+  startFollowing();
+  master_.stampAhead(1s);
+  ASSERT_TRUE(reaches(TeleopState::Preparing));
+  pass(5ms);
+  EXPECT_EQ(wayOfSlave({0.1, 0, 0}), Vector3d::Zero());
+  master_.stampAhead(0s);
+  EXPECT_TRUE(reaches(TeleopState::Following));
+}
+
 TEST_F(TeleopStates, AMasterTurnedWithTheClutchIsAlignedAnew) {
   startFollowing();
   console_.clutch = true;

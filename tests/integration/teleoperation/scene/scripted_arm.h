@@ -53,6 +53,11 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     stuck_ = stuck;
   }
+  /// Stamps what it measures by a clock that is wrong by so much.
+  void stampAhead(suture::Duration by) {
+    const std::lock_guard lock(mutex_);
+    ahead_ = by;
+  }
   /// Refuses goals that lie farther from where it is, m.
   void refuseStepsBeyond(double distance) {
     const std::lock_guard lock(mutex_);
@@ -203,7 +208,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     past_.push_back(pose_);
     while (past_.size() > late_ + 1) past_.pop_front();
-    if (!stuck_) stamp_ = suture::now();
+    if (!stuck_) stamp_ = suture::now() + ahead_;
     return silent_;
   }
 
@@ -220,6 +225,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   bool silent_ = false, stuck_ = false, refusesMoves_ = false, saysDisabled_ = false;
   std::atomic<bool> saysTurn_ = false;
   suture::Time stamp_;
+  suture::Duration ahead_{0};
   OperatingState state_;
   JointConfiguration configuration_;
   Jacobian jacobian_;

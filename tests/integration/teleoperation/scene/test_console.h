@@ -21,10 +21,11 @@ class TestConsole final : public suture::PeriodicTask, public FootPedals, public
   PedalState pedals() const override { return {clutch, camera, false, stamp_}; }
   Presence presence() const override { return {present, stamp_}; }
   void run() override {
-    if (!stuck) stamp_ = suture::now();
+    if (!stuck) stamp_ = suture::now() + std::chrono::milliseconds(ahead);
   }
 
   std::atomic<bool> clutch = false, camera = false, present = true, stuck = false;
+  std::atomic<int> ahead = 0;  // ms, by which its clock is wrong
 
  private:
   suture::Time stamp_;
