@@ -12,6 +12,7 @@
 #include "registration/surgeon_view.h"
 #include "teleop/valid_scale.h"
 #include "timing/seconds.h"
+#include "timing/valid_age.h"
 
 namespace robots {
 namespace {
@@ -23,6 +24,16 @@ using Eigen::Vector3d;
 // The capstan's friction is not known better than this share of it, nor are the strand's ends
 // straight.
 constexpr double kHolding = 0.8;
+
+/// Returns the parameters. Throws suture::SetupError for those with which nothing can be guided.
+const GuideParameters& checked(const GuideParameters& parameters) {
+  requireValidScale(parameters.scale);
+  requireAge("max_age", parameters.max_age);
+  requireAge("sighting_age", parameters.sighting_age);
+  requireAge("registration_age", parameters.registration_age);
+  requireAge("operator_age", parameters.operator_age);
+  return parameters;
+}
 
 FixtureModel model(const GuideParameters& parameters) {
   if (parameters.approach.norm() == 0) {
@@ -67,12 +78,10 @@ KnotGuide::Side::Side(KnotGuide& guide, const char* masterName, const char* slav
 
 KnotGuide::KnotGuide(const GuideParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
-      parameters_(parameters),
+      parameters_(checked(parameters)),
       fixtures_(model(parameters)),
       estimate_(parameters.sighting_age, parameters.period),
-      enableAtFirstCycle_(parameters.enable_at_start) {
-  requireValidScale(parameters.scale);
-}
+      enableAtFirstCycle_(parameters.enable_at_start) {}
 
 void KnotGuide::enable() {
   for (Side* side : {&left_, &right_}) side->arms.permit();

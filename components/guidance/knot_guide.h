@@ -76,8 +76,8 @@ struct SUTURE_TYPE() GuideParameters {
 /// that would refuse all further goals disables the guide.
 class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
  public:
-  /// Throws suture::SetupError for a line of approach without a direction, or a scale that is not
-  /// above zero.
+  /// Throws suture::SetupError for a line of approach without a direction, a scale that is not
+  /// above zero, or an age that is not, or is above a minute.
   explicit KnotGuide(const GuideParameters& parameters);
 
   void enable() override;

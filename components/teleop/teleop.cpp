@@ -5,6 +5,7 @@
 
 #include "registration/surgeon_view.h"
 #include "teleop/valid_scale.h"
+#include "timing/valid_age.h"
 
 namespace robots {
 
@@ -26,6 +27,9 @@ Teleop::Teleop(const TeleopParameters& parameters)
       enableAtFirstCycle_(parameters.enable_at_start),
       jawFollower_(gripper_, jaw_, jawSettings(parameters), parameters.max_age) {
   settings_.scale = requireValidScale(parameters.scale);
+  requireAge("max_age", parameters.max_age);
+  requireAge("operator_age", parameters.operator_age);
+  requireAge("registration_age", parameters.registration_age);
 }
 
 void Teleop::onStart() {

@@ -72,7 +72,8 @@ struct SUTURE_TYPE() TeleopParameters {
 /// a jaw, the jaw follows too (jaw_law.h).
 class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Teleoperation {
  public:
-  /// Throws suture::SetupError for a scale that is not above zero.
+  /// Throws suture::SetupError for a scale or an age that is not above zero, or an age above a
+  /// minute.
   explicit Teleop(const TeleopParameters& parameters);
 
   void enable() override;

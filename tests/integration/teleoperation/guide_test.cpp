@@ -285,6 +285,19 @@ TEST_F(Guide, FollowsNothingWhileItIsDisabled) {
   expectThatBothFollow();
 }
 
+TEST(KnotGuide, RefusesAnImpossibleAge) {
+  EXPECT_EQ(suture::refusal([] { KnotGuide({.sighting_age = -250ms}); }),
+            "judging data by \"sighting_age\" of -0.250000 s: an age is longer than nothing and at "
+            "most a minute. Set it to so many seconds, e.g. 0.25");
+  for (const suture::Duration age : {suture::Duration(-5ms), suture::Duration(0),
+                                     suture::Duration(std::chrono::seconds(1'000'000'000))}) {
+    EXPECT_NE(suture::refusal([&] { KnotGuide({.sighting_age = age}); }), "");
+    EXPECT_NE(suture::refusal([&] { KnotGuide({.max_age = age}); }), "");
+    EXPECT_NE(suture::refusal([&] { KnotGuide({.registration_age = age}); }), "");
+    EXPECT_NE(suture::refusal([&] { KnotGuide({.operator_age = age}); }), "");
+  }
+}
+
 TEST(KnotGuide, RefusesAnImpossibleScaleOrLine) {
   EXPECT_TRUE(
       suture::refusal([] { KnotGuide({.scale = -1}); })

@@ -130,6 +130,16 @@ TEST(Teleop, DisableLeavesTheSlaveWhereItIs) {
   EXPECT_EQ(slaveState(station), ArmState::Enabled);
 }
 
+TEST(Teleop, RefusesAnImpossibleAge) {
+  using namespace std::chrono_literals;
+  for (const suture::Duration age : {suture::Duration(-5ms), suture::Duration(0),
+                                     suture::Duration(std::chrono::seconds(1'000'000'000))}) {
+    EXPECT_THROW(Teleop({.max_age = age}), suture::SetupError);
+    EXPECT_THROW(Teleop({.operator_age = age}), suture::SetupError);
+    EXPECT_THROW(Teleop({.registration_age = age}), suture::SetupError);
+  }
+}
+
 TEST(Teleop, RefusesAScaleThatIsNotAboveZero) {
   for (const double scale : {0.0, -0.2}) {
     try {
