@@ -24,7 +24,8 @@ struct JointBounds {
 /// for an arm with another number of joints.
 std::optional<JointBounds> jointBounds(const JointConfiguration& configuration);
 
-/// Says what has been asked of an arm beyond its set-point, along the axes of its base.
+/// Says what has been asked of an arm beyond its set-point, along the axes of its base, as its
+/// Jacobian is.
 struct TipAhead {
   Eigen::Vector3d moved;   ///< m: of the tip
   Eigen::Vector3d turned;  ///< rad: of the tool, about this axis, with the next step

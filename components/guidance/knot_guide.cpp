@@ -184,8 +184,11 @@ void KnotGuide::Side::readJoints(suture::Duration maxAge) {
   };
   const bool setpoint = isFresh(slave.setpoint_js(setpointJs)) && setpointJs.valid;
   const bool moves = isFresh(slave.spatial_jacobian(jacobian)) && jacobian.valid;
-  knowsJoints = setpoint && setpointJs.position.size() == std::size_t{kTipJoints} && moves &&
-                jacobian.coefficients.size() == std::size_t{6 * kTipJoints};
+  const auto base = slave.base_frame();
+  const bool stands = base && base.age() <= maxAge && base->valid;
+  if (stands) mount = base->transform.linear();
+  knowsJoints = stands && setpoint && setpointJs.position.size() == std::size_t{kTipJoints} &&
+                moves && jacobian.coefficients.size() == std::size_t{6 * kTipJoints};
   if (bounds || !slave.configuration_js(configuration) || !configuration.valid) return;
   bounds = jointBounds(configuration);
 }
@@ -284,14 +287,18 @@ Isometry3d KnotGuide::Side::goal(const Isometry3d& base, const Vector3d& tip,
 JointRoom KnotGuide::Side::room(const Isometry3d& goal, const Isometry3d& base, const Vector3d& tip,
                                 double seconds) const {
   if (!bounds || !knowsJoints) return {};
-  return jointRoom(*bounds, setpointJs, jacobian, ahead(goal, base, tip), base.linear(), seconds);
+  return jointRoom(*bounds, setpointJs, jacobian, ahead(goal, base, tip), base.linear() * mount,
+                   seconds);
 }
 
+/// Poses are in the reference frame of the arm, and its joints are about its base, which
+/// set_base_frame() may have turned in that.
 TipAhead KnotGuide::Side::ahead(const Isometry3d& goal, const Isometry3d& base,
                                 const Vector3d& tip) const {
-  return {.moved = base.inverse() * tip - poses.slave.pose.translation(),
-          .turned = turnBetween(poses.slave.pose.linear(), goal.linear()),
-          .turns = turnBetween(turned, goal.linear())};
+  const Matrix3d toBase = mount.transpose();
+  return {.moved = toBase * (base.inverse() * tip - poses.slave.pose.translation()),
+          .turned = toBase * turnBetween(poses.slave.pose.linear(), goal.linear()),
+          .turns = toBase * turnBetween(turned, goal.linear())};
 }
 
 /// The knot is estimated from where the slaves say that their tips are, which comes back late; the

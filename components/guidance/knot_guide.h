@@ -115,10 +115,11 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
     Eigen::Matrix3d view = Eigen::Matrix3d::Identity();
     std::optional<FollowLaw> law;
     ArmPoses poses;                    // of this cycle
-    Eigen::Matrix3d turned;            // how the tool has been sent to turn, in the base's axes
+    Eigen::Matrix3d turned;            // how the tool has been sent to turn
     JointConfiguration configuration;  // these three keep their memory
     JointState setpointJs;
     Jacobian jacobian;
+    Eigen::Matrix3d mount = Eigen::Matrix3d::Identity();  // turns its base's axes to its poses'
     std::optional<JointBounds> bounds;
     bool knowsJoints = false;  // in this cycle
   };

@@ -8,7 +8,8 @@
 namespace robots {
 
 /// Says where things are: slaves and camera in the frame of the scene, whose z points away from the
-/// tissue; masters and display in that of the console.
+/// tissue; masters and display in that of the console. The place of an arm is that of the reference
+/// frame in which it gives its poses, which is its base unless set_base_frame() has moved it.
 struct SUTURE_TYPE() SceneFrames {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d left_base = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d right_base = Eigen::Isometry3d::Identity();

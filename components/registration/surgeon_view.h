@@ -13,8 +13,8 @@ inline Eigen::Matrix3d sceneAtConsole(const SceneFrames& frames) {
   return frames.display.linear() * frames.camera.linear().transpose();
 }
 
-/// Rotates directions in the base frame of a master to those in the base frame of a slave that look
-/// the same.
+/// Rotates directions in the reference frame of a master to those in that of a slave that look the
+/// same.
 inline Eigen::Matrix3d surgeonView(const SceneFrames& frames, Side master, Side slave) {
   const auto& masterBase = master == Side::Left ? frames.left_master : frames.right_master;
   const auto& slaveBase = slave == Side::Left ? frames.left_base : frames.right_base;

@@ -97,7 +97,7 @@ constexpr char kRegistrationDescription[] = R"json(
 "doc": "Says that the left camera has been moved there. It is ignored, with a warning, unless its\nrotation is one.",
 "parameters": [{"name": "camera", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}],
 "queue": 16}], "events": [], "enums": [], "structs": [{"name": "robots::SceneFrames",
-"doc": "Says where things are: slaves and camera in the frame of the scene, whose z points away from the\ntissue; masters and display in that of the console.",
+"doc": "Says where things are: slaves and camera in the frame of the scene, whose z points away from the\ntissue; masters and display in that of the console. The place of an arm is that of the reference\nframe in which it gives its poses, which is its base unless set_base_frame() has moved it.",
 "fields": [{"name": "left_base", "wire": "leftBase", "type": {"kind": "isometry",
 "scalar": "Float64"}, "unit": "m"}, {"name": "right_base", "wire": "rightBase", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "camera",

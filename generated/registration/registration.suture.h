@@ -16,7 +16,8 @@
 namespace robots {
 
 /// Says where things are: slaves and camera in the frame of the scene, whose z points away from the
-/// tissue; masters and display in that of the console.
+/// tissue; masters and display in that of the console. The place of an arm is that of the reference
+/// frame in which it gives its poses, which is its base unless set_base_frame() has moved it.
 struct SceneFramesSlot {
   std::array<double, 12> left_base;     // Eigen::Isometry3d, m
   std::array<double, 12> right_base;    // Eigen::Isometry3d, m

@@ -10,7 +10,8 @@ $Meta.header("registration/registration.h");
 
 struct SceneFrames @0xe63e7e972f06e442 $Meta.cxx("robots::SceneFrames") {
   # Says where things are: slaves and camera in the frame of the scene, whose z points away from the
-  # tissue; masters and display in that of the console.
+  # tissue; masters and display in that of the console. The place of an arm is that of the reference
+  # frame in which it gives its poses, which is its base unless set_base_frame() has moved it.
 
   leftBase @0 :Types.Pose $Meta.cxx("left_base") $Meta.unit("m");
   rightBase @1 :Types.Pose $Meta.cxx("right_base") $Meta.unit("m");

@@ -236,6 +236,20 @@ TEST_F(Guide, TurnsNoSlaveBeyondItsJointsWhenTheCameraIsMoved) {
   EXPECT_NEAR(angleOf(arms_[2].pose()), 0.1, 1e-3);
 }
 
+/// Its joints are about its base, and its poses in the frame in which somebody has set that.
+TEST_F(Guide, LeadsNoSlaveBeyondItsJointsWhoseBaseWasSet) {
+  constexpr double kLimit = -0.035;
+  arms_[2].beAGantryAbove(kLimit);
+  arms_[2].hangUpsideDown();
+  pass(10ms);
+  forgetGoals();
+  moveMasters({0, 0, -0.1}, 1000);
+  EXPECT_NEAR(left().z(), kLimit, 1e-6);
+  for (const PoseStamped& goal : arms_[2].goals()) {
+    ASSERT_GT(goal.pose.translation().z(), kLimit - 1e-9);
+  }
+}
+
 // No goal leads there while its tool is not in, so the surgeon must not believe that it is guided.
 TEST_F(Guide, ARefusingSlaveDisablesIt) {
   for (ScriptedArm* slave : {&arms_[2], &arms_[3]}) {

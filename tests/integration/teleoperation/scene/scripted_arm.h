@@ -26,6 +26,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
  public:
   ScriptedArm() : PeriodicTask({.period = std::chrono::milliseconds(1)}) {
     port_.keepState({.manual = true});
+    base_.valid = true;
   }
   ~ScriptedArm() override { stop(); }
 
@@ -81,6 +82,14 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     jacobian_.coefficients.assign(36, 0);
     for (std::size_t i = 0; i < 6; ++i) jacobian_.coefficients[7 * i] = 1;
     jacobian_.valid = true;
+  }
+  /// Says that it hangs with its base turned about the x axis of its poses, so that the third slide
+  /// of its gantry goes downward.
+  void hangUpsideDown() {
+    const std::lock_guard lock(mutex_);
+    base_.transform.rotate(Eigen::AngleAxisd(EIGEN_PI, Eigen::Vector3d::UnitX()));
+    configuration_.position_max[2] = -configuration_.position_min[2];
+    configuration_.position_min[2] = -kFar;
   }
   /// Says of that gantry also how it is turned about z, and that it cannot be turned farther, rad.
   void turnUpTo(double angle) {
@@ -168,8 +177,9 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   const OperatingState& operating_state() const override { return state_; }
   const JointConfiguration& configuration_js() const override { return configuration_; }
   const Jacobian& spatial_jacobian() const override { return jacobian_; }
+  const TransformStamped& base_frame() const override { return base_; }
   const JointState& setpoint_js() const override {
-    const Eigen::Vector3d place = pose().translation();
+    const Eigen::Vector3d place = base_frame().transform.inverse() * pose().translation();
     const Eigen::Matrix3d turned = pose().linear();
     const double turn = saysTurn_ ? std::atan2(turned(1, 0), turned(0, 0)) : 0;
     setpointJs_.valid = jacobian_.valid;
@@ -229,6 +239,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   OperatingState state_;
   JointConfiguration configuration_;
   Jacobian jacobian_;
+  TransformStamped base_;
   mutable JointState setpointJs_;
   suture::Provided<Arm> port_{*this, "Arm", *this};
 };
