@@ -60,8 +60,8 @@ class KnotFixtures {
   void setTissue(double z) { model_.tissue = z; }
 
   /// Returns the steps in m that the tips may make in `seconds`, nearest to those that are
-  /// `desired`; zero if the solver finds none. `knot` is where the knot is with the tips
-  /// there, and `rooms` are those of this step. All are in the frame of the scene.
+  /// `desired`; zero if the solver finds none. `knot` is where the knot is with the tips there, and
+  /// `rooms` are those of this step. All are in the frame of the scene.
   TipPair constrain(const TipPair& tips, const Eigen::Vector3d& knot, const TipPair& desired,
                     double seconds, const RoomPair& rooms = {});
 

@@ -4,8 +4,8 @@
 
 namespace robots {
 
-/// Any thread. Returns true if `stamp` is at most `most` ago. One that is as far in the future
-/// counts as little as an old one, because a clock that is wrong makes it.
+/// Any thread. Returns true if `stamp` is at most `most` ago. One that lies farther in the future
+/// than that counts as little as an old one, because a wrong clock made it.
 inline bool isRecent(suture::Time stamp, suture::Duration most) {
   const suture::Duration age = suture::now() - stamp;
   return age <= most && age >= -most;

@@ -6,10 +6,12 @@
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
 
+#include <atomic>
 #include <chrono>
 #include <string>
 
 #include "integration/teleoperation/scene/driven_arm.h"
+#include "integration/teleoperation/scene/followed_arms.h"
 #include "support/pass.h"
 #include "support/stepped.h"
 #include "support/temporary_directory.h"
@@ -128,6 +130,62 @@ TEST_P(JawFollowing, IsSlowAfterAPauseInWhichTheFingersMoved) {
   EXPECT_GT(jaw(), 0.8) << "the needle is dropped";
   pass(2s);
   EXPECT_NEAR(jaw(), 0.2, 0.01);
+}
+
+/// Is a gripper whose clock may be wrong, and the jaw that follows it.
+struct Fingers final : suture::Device, Gripper, Jaw {
+  const JointConfiguration& configuration_js() const override { return configuration_; }
+  const JointState& measured_js() const override { return stamped(measured_, ahead); }
+  const JointState& setpoint_js() const override { return stamped(setpoint_, 0ms); }
+  void servo_jp(const JointGoal&) override { ++goals; }
+  void servo_jf(const JointEffortGoal&) override {}
+  void move_jp(const JointGoal&) override {}
+
+  std::atomic<suture::Duration> ahead{0ms};
+  std::atomic<int> goals = 0;
+
+ private:
+  static const JointState& stamped(JointState& state, suture::Duration ahead) {
+    state.position.assign(1, 0);
+    state.stamp = suture::now() + ahead;
+    state.valid = true;
+    return state;
+  }
+
+  JointConfiguration configuration_;
+  mutable JointState measured_, setpoint_;
+  suture::Provided<Gripper> gripper_{*this, "Gripper", *this};
+  suture::Provided<Jaw> jaw_{*this, "Jaw", *this};
+};
+
+class FollowedJaw : public TeleopStates {
+ protected:
+  ~FollowedJaw() override { manager_.stop(); }
+
+  void connectFingers() {
+    manager_.add("Fingers", fingers_);
+    manager_.start();
+    manager_.connect("Teleop/Gripper", "Fingers/Gripper");
+    manager_.connect("Teleop/Jaw", "Fingers/Jaw");
+  }
+  int goalsIn(suture::Duration time) {
+    pass(5ms);
+    fingers_.goals = 0;
+    pass(time);
+    return fingers_.goals;
+  }
+
+  Fingers fingers_;
+};
+
+TEST_F(FollowedJaw, IsNotLedByAGripperOfTheFuture) {
+  startFollowing();
+  connectFingers();
+  EXPECT_GT(goalsIn(20ms), 0);
+  fingers_.ahead = 1s;
+  EXPECT_EQ(goalsIn(20ms), 0);
+  fingers_.ahead = 0ms;
+  EXPECT_GT(goalsIn(20ms), 0);
 }
 
 }  // namespace
