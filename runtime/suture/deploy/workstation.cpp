@@ -1,5 +1,6 @@
 #include <suture/base/nearest.h>
 #include <suture/deploy/host.h>
+#include <suture/deploy/report_descriptor.h>
 #include <suture/deploy/report_writer.h>
 #include <suture/deploy/workstation.h>
 #include <suture/loop/signal_wait.h>
@@ -43,11 +44,6 @@ struct Options {
   bool messages = false;
 };
 
-int descriptorFrom(const std::string& text) {
-  if (text.empty()) return -1;
-  return text == "-" ? STDOUT_FILENO : std::stoi(text);
-}
-
 Duration fromSeconds(double seconds) {
   return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
 }
@@ -63,7 +59,7 @@ void declare(CLI::App& app, Options& options) {
       ->check(CLI::Range(0.01, 1e6));
   app.add_option("--report-fd", options.reportTo,
                  "Where to write reports: a file descriptor, or - for standard output")
-      ->check(CLI::IsMember({"-"}) | CLI::NonNegativeNumber);
+      ->check(whyNotWritable);
   app.add_option("--report-form", options.reportForm,
                  "json: an object a line; text: lines for people")
       ->capture_default_str()
@@ -106,9 +102,9 @@ class Run {
   Run(Host& host, const SignalWait& signals, const Options& options)
       : host_(host),
         signals_(signals),
-        reports_(descriptorFrom(options.reportTo), options.reportForm == "text"
-                                                       ? ReportWriter::Form::Text
-                                                       : ReportWriter::Form::Json),
+        reports_(descriptorIn(options.reportTo).value_or(-1), options.reportForm == "text"
+                                                                  ? ReportWriter::Form::Text
+                                                                  : ReportWriter::Form::Json),
         toldByReports_(!options.reportTo.empty()),
         interval_(fromSeconds(options.reportInterval)),
         end_(options.seconds > 0 ? began_ + fromSeconds(options.seconds) : Time::max()) {}

@@ -59,6 +59,24 @@ class Starting(Stations):
             self.assertTrue(problems.startswith(told), problems)
             self.assertEqual(station.returncode, 2)
 
+    def refused(self, *words, **settings):
+        """Returns what a command line is refused with, before anything starts."""
+        station = self.workstation({"processes": [{"name": "one", "components": []}]}, "--seconds", "0.1", *words, **settings)
+        told, problems = station.communicate(timeout=60)
+        self.assertEqual((station.returncode, told), (2, ""), problems)
+        self.assertIn("--help` tells what there is.\n", problems)
+        return problems
+
+    def test_reports_go_nowhere_but_to_an_open_descriptor(self):
+        """A number that is free at the start would be that of a socket or a recording later."""
+        for text in ("7", "99"):
+            problems = self.refused("--report-fd", text)
+            self.assertIn(f"--report-fd: descriptor {text} is not open. Open it where this is started", problems)
+        for text in ("1.5", "1e3", "nan", "-1", "99999999999", "+1", ""):
+            self.assertIn("--report-fd: it is no descriptor. Give - or a number", self.refused("--report-fd", text))
+        with open(os.devnull, encoding="utf-8") as readable:
+            self.assertIn("--report-fd: descriptor 0 is not open for writing.", self.refused("--report-fd", "0", stdin=readable))
+
     def await_line(self, station, end):
         for line in station.stderr:
             if line.endswith(end):
