@@ -59,14 +59,19 @@ void watchReads(rpc::EventPort& loop, Provider& provider, const Options& options
   const auto tick = rpc::toKj(
       std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / options.rate)));
   auto ended = ending(loop, provider, options).then([] { return true; }).fork();
+  const auto endsBefore = [&](kj::Promise<void> what) {
+    return wait(loop, ended.addBranch().exclusiveJoin(what.then([] { return false; })));
+  };
   Lines lines(options);
-  auto next = loop.getTimer().now();
-  for (bool end = false; !end;) {
-    lines.show("command", command, provider.call(command, Json::object(), lines.labels()).value);
+  Json value;
+  for (auto next = loop.getTimer().now();;) {
+    auto answered = provider.start(command, Json::object(), lines.labels());
+    if (endsBefore(answered.then([&](Answer&& answer) { value = std::move(answer.value); })))
+      return;
+    lines.show("command", command, value);
     if (lines.enough()) return;
     next = kj::max(next + tick, loop.getTimer().now());
-    auto ticked = loop.getTimer().atTime(next).then([] { return false; });
-    end = wait(loop, kForever, ended.addBranch().exclusiveJoin(kj::mv(ticked)), "");
+    if (endsBefore(loop.getTimer().atTime(next))) return;
   }
 }
 
@@ -75,11 +80,13 @@ void watchEvents(rpc::EventPort& loop, Provider& provider, const Options& option
   auto enough = kj::newPromiseAndFulfiller<void>();
   auto ended = ending(loop, provider, options).exclusiveJoin(kj::mv(enough.promise));
   Lines lines(options);
-  provider.subscribe(events, lines.labels(), [&](const Member& event, const Json& value) {
-    lines.show("event", event, value);
-    if (lines.enough()) enough.fulfiller->fulfill();
-  });
-  wait(loop, 2 * kForever, kj::mv(ended), "");
+  auto subscribed =
+      provider.subscribe(events, lines.labels(), [&](const Member& event, const Json& value) {
+        lines.show("event", event, value);
+        if (lines.enough()) enough.fulfiller->fulfill();
+      });
+  auto refused = subscribed.then([]() -> kj::Promise<void> { return kj::NEVER_DONE; });
+  wait(loop, ended.exclusiveJoin(kj::mv(refused)));
 }
 
 /// Says what there is to watch, unless `name` is a command, which readCommand() judges.
@@ -99,8 +106,9 @@ void requireKnown(const Contract& contract, const std::string& name) {
 }  // namespace
 
 int watch(rpc::EventPort& loop, const Options& options) {
-  for (const int signal : {SIGINT, SIGTERM}) kj::UnixEventPort::captureSignal(signal);
   Provider provider(loop, options, Target::parseInterface(options.target));
+  // Until here a signal ends the program by itself.
+  for (const int signal : {SIGINT, SIGTERM}) kj::UnixEventPort::captureSignal(signal);
   const Contract& contract = provider.contract();
   if (options.member.empty()) {
     watchEvents(loop, provider, options, ~std::uint64_t{0});

@@ -58,6 +58,10 @@ Provider::Provider(rpc::EventPort& loop, const Options& options, const Target& t
       capability_(peer_.open(target, *contract_)) {}
 
 Answer Provider::call(const Member& command, const Json& arguments, Labels labels) {
+  return wait(loop_, start(command, arguments, labels));
+}
+
+kj::Promise<Answer> Provider::start(const Member& command, const Json& arguments, Labels labels) {
   auto request = capability_.newRequest(command.method);
   fill(request, arguments, "");
   for (const auto field : request.getSchema().getFields()) {
@@ -75,9 +79,9 @@ Answer Provider::call(const Member& command, const Json& arguments, Labels label
             SetupError(title, rpc::reasonOf(failure), remedyFor(rpc::errcOf(failure), target))
                 .what());
       });
-  return wait(loop_, patience_, kj::mv(answer),
-              title + ": no answer in time; whether it ran is not known. `suture doctor " +
-                  contract_->title() + "` looks for the reason.");
+  return rpc::within(loop_.getTimer(), patience_, kj::mv(answer),
+                     title + ": no answer in time; whether it ran is not known. `suture doctor " +
+                         contract_->title() + "` looks for the reason.");
 }
 
 std::optional<Duration> Provider::ageIn(capnp::DynamicStruct::Reader results) const {
@@ -87,13 +91,14 @@ std::optional<Duration> Provider::ageIn(capnp::DynamicStruct::Reader results) co
   return std::nullopt;
 }
 
-void Provider::subscribe(std::uint64_t events, Labels labels, Heard heard) {
+kj::Promise<void> Provider::subscribe(std::uint64_t events, Labels labels, Heard heard) {
   auto request = capability_.newRequest("subscribe");
   request.set("events", capnp::DynamicCapability::Client(
                             kj::heap<Receiver>(contract_, labels, std::move(heard))));
   request.set("eventMask", events);
-  wait(loop_, patience_, request.send().ignoreResult(),
-       "subscribe to events of " + contract_->title() + ": no answer. Look at what it is doing.");
+  return rpc::within(
+      loop_.getTimer(), patience_, request.send().ignoreResult(),
+      "subscribe to events of " + contract_->title() + ": no answer. Look at what it is doing.");
 }
 
 kj::Promise<void> Provider::whenGone() {

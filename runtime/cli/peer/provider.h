@@ -20,7 +20,8 @@ struct Answer {
   Duration ageError{0};         ///< how wrong the age may be; zero if both have one clock
 };
 
-/// Finds its process, links to that and opens it. All members throw SetupError.
+/// Finds its process, links to that and opens it. All members throw SetupError, or their promises
+/// reject.
 class Provider {
  public:
   using Heard = std::function<void(const Member& event, const Json& value)>;
@@ -31,9 +32,11 @@ class Provider {
 
   /// Runs a command and waits for its end. Throws UsageError if the arguments do not fit it.
   Answer call(const Member& command, const Json& arguments, Labels labels);
+  /// Does the same without waiting. Rejects where there is no answer in time.
+  kj::Promise<Answer> start(const Member& command, const Json& arguments, Labels labels);
   /// Asks for events, bit i for the contract's event i. `heard` is called as they arrive; while it
-  /// works, the provider keeps what follows.
-  void subscribe(std::uint64_t events, Labels labels, Heard heard);
+  /// works, the provider keeps what follows. Resolves when the provider has agreed, or rejects.
+  kj::Promise<void> subscribe(std::uint64_t events, Labels labels, Heard heard);
   /// Rejects when the provider's process is gone.
   kj::Promise<void> whenGone();
 

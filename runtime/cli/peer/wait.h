@@ -10,15 +10,20 @@
 
 namespace suture::cli {
 
-/// Returns what `promise` resolves to. Throws SetupError with what it rejects with or, after
-/// `limit`, with `late`.
+/// Returns what `promise` resolves to, which must end. Throws SetupError with what it rejects with.
 template <class T>
-T wait(rpc::EventPort& loop, Duration limit, kj::Promise<T> promise, std::string late) {
+T wait(rpc::EventPort& loop, kj::Promise<T> promise) {
   try {
-    return rpc::within(loop.getTimer(), limit, kj::mv(promise), std::move(late)).wait(loop.scope());
+    return promise.wait(loop.scope());
   } catch (const kj::Exception& failure) {
     throw SetupError(rpc::describe(failure));
   }
+}
+
+/// Does the same, but after `limit` it throws SetupError with `late`.
+template <class T>
+T wait(rpc::EventPort& loop, Duration limit, kj::Promise<T> promise, std::string late) {
+  return wait(loop, rpc::within(loop.getTimer(), limit, kj::mv(promise), std::move(late)));
 }
 
 }  // namespace suture::cli

@@ -3,9 +3,11 @@
 import json
 import os
 import signal
+import socket
+import subprocess
 import unittest
 
-from system import System
+from system import PATIENCE, SUTURE, System
 
 GRIPPER = "robot:Hand/Gripper"
 ROTATION = {f"m{row}{column}": 0 for row in range(3) for column in range(3)}
@@ -48,6 +50,17 @@ class Fail(System):
             with self.subTest(name=name):
                 self.assertIn("is not of the form", self.refused("read", name, "x", status=2))
         self.assertIn("manager", self.refused("ps", "--manager", "somewhere", status=2))
+
+    def test_watch_can_be_ended_while_it_looks_for_its_provider(self):
+        with socket.socket(socket.AF_UNIX) as silent:
+            silent.bind(self.address.removeprefix("unix:"))
+            silent.listen()
+            watching = subprocess.Popen([SUTURE, "watch", "--manager", self.address, GRIPPER, "--timeout", "1000s"])
+            self.addCleanup(watching.kill)
+            with silent.accept()[0] as link:
+                link.recv(1)
+                watching.send_signal(signal.SIGTERM)
+                self.assertEqual(watching.wait(PATIENCE), -signal.SIGTERM)
 
     def test_an_error_that_is_none(self):
         error = self.refused("why", "Errc::NotYett", status=2)

@@ -3,6 +3,7 @@
 //   version      speaks another version of the protocol
 //   silent       does not answer a greeting
 //   homeless     is known, and says not where it is
+//   deaf         says "asked" when it hears a read or a subscription, and never answers
 //   older        cannot explain itself yet
 //   escapes      has names that steer a terminal
 //   description  explains itself with what is no JSON
@@ -22,6 +23,7 @@
 #include <suture/session/provider/explain.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -79,11 +81,29 @@ void spoil(Explanation::Builder explanation, const std::string& how) {
 }
 
 class Arm final : public robots::wire::Arm::Server {
+ public:
+  explicit Arm(bool deaf) : deaf_(deaf) {}
+
  protected:
+  kj::Promise<void> mode(ModeContext context) override {
+    return deaf_ ? hear() : Server::mode(context);
+  }
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    return deaf_ ? hear() : Server::subscribe(context);
+  }
   kj::Promise<void> everything(EverythingContext context) override {
     context.getResults().initValue().setCount(7);
     return kj::READY_NOW;
   }
+
+ private:
+  static kj::Promise<void> hear() {
+    std::puts("asked");
+    std::fflush(stdout);
+    return kj::NEVER_DONE;
+  }
+
+  const bool deaf_;
 };
 
 class Stranger final : public suture::wire::Peer::Server {
@@ -118,7 +138,7 @@ class Stranger final : public suture::wire::Peer::Server {
   }
 
   kj::Promise<void> open(OpenContext context) override {
-    context.getResults().setContract(kj::heap<Arm>());
+    context.getResults().setContract(kj::heap<Arm>(how_ == "deaf"));
     return kj::READY_NOW;
   }
 

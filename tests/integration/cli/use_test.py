@@ -170,5 +170,16 @@ class Use(System):
         self.assertIn("process 'robot' is gone. Start it again.", json.loads(output)["error"])
         self.robot.returncode = 0  # as intended
 
+    def test_watch_ends_while_an_answer_is_awaited(self):
+        stranger = self.start_stranger("deaf")
+        for name in ("mode", "stopped"):
+            for told in (signal.SIGINT, signal.SIGTERM):
+                watching = self.watch("deaf:Odd/Arm", name, "--timeout", "1000s")
+                self.assertEqual(stranger.stdout.readline(), "asked\n")
+                watching.send_signal(told)
+                self.assertEqual(watching.wait(PATIENCE), 0)
+        for name in ("mode", "stopped"):
+            self.assertEqual(self.said("watch", "deaf:Odd/Arm", name, "--timeout", "1000s", "--for", "50ms"), "")
+
 
 unittest.main()
