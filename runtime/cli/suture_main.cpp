@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -109,13 +110,24 @@ void addOptions(CLI::App& app, const std::string& verb, Options& options, Times&
   }
 }
 
+void tell(const std::string& error) {
+  std::fprintf(stderr, "suture: %s\n", suture::plain(error).c_str());
+  const std::string why = whatToAsk(error);
+  if (!why.empty()) std::fprintf(stderr, "suture: `%s` tells more\n", why.c_str());
+}
+
 int report(const std::string& error, bool json, int status) {
-  if (json) {
+  if (!json) {
+    tell(error);
+    return status;
+  }
+  try {
     printJson({{"error", error}});
-  } else {
-    std::fprintf(stderr, "suture: %s\n", suture::plain(error).c_str());
-    const std::string why = whatToAsk(error);
-    if (!why.empty()) std::fprintf(stderr, "suture: `%s` tells more\n", why.c_str());
+  } catch (const ReaderGone&) {
+    // The status tells the rest.
+  } catch (const suture::SetupError& lost) {
+    tell(lost.what());
+    return kFailed;
   }
   return status;
 }
@@ -133,25 +145,40 @@ std::string unknownVerb(const std::string& word) {
          (nearest.empty() ? "Use one of those" : "Did you mean '" + nearest + "'?");
 }
 
-int run(const Verb& verb, Options options) {
+/// Returns the exit status of what `work` does, which returns one too.
+template <class Work>
+int attempt(bool json, const Work& work) {
   try {
-    if (!options.keys.empty()) {
-      options.trust.keys = std::make_shared<const suture::tls::Keys>(options.keys, kOwnName);
-    }
-    suture::rpc::EventPort loop;
-    return verb.run(loop, options);
+    return work();
+  } catch (const ReaderGone&) {
+    return 0;
   } catch (const UsageError& error) {
-    return report(error.what(), options.json, kMisused);
+    return report(error.what(), json, kMisused);
   } catch (const suture::SetupError& error) {
-    return report(error.what(), options.json, kFailed);
+    return report(error.what(), json, kFailed);
   } catch (const suture::DocumentError& error) {
-    return report(error.what(), options.json, kFailed);
+    return report(error.what(), json, kFailed);
   } catch (const kj::Exception& error) {
     // A hostile peer can describe itself so that any step breaks.
     return report(std::string("use what the process sent: ") + error.getDescription().cStr() +
                       ". It was built with another Suture, or is not what it seems",
-                  options.json, kFailed);
+                  json, kFailed);
   }
+}
+
+int run(const Verb& verb, Options& options) {
+  if (!options.keys.empty()) {
+    options.trust.keys = std::make_shared<const suture::tls::Keys>(options.keys, kOwnName);
+  }
+  suture::rpc::EventPort loop;
+  return verb.run(loop, options);
+}
+
+int help(const CLI::App& app, const CLI::ParseError& asked) {
+  std::ostringstream text;
+  const int status = app.exit(asked, text, text);
+  print(text.str());
+  return status;
 }
 
 }  // namespace
@@ -175,7 +202,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    if (error.get_exit_code() == 0) return attempt(json, [&] { return help(app, error); });
     return report(error.what() + std::string(". `suture ") + (isVerb(word) ? word + " " : "") +
                       "--help` tells what there is",
                   json, kMisused);
@@ -184,5 +211,5 @@ int main(int argc, char** argv) {
   options.period = durationOf(times.period);
   const auto verb = std::find_if(std::begin(kVerbs), std::end(kVerbs),
                                  [&](const Verb& one) { return app.got_subcommand(one.name); });
-  return run(*verb, options);
+  return attempt(options.json, [&] { return run(*verb, options); });
 }

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -80,13 +81,20 @@ void watchEvents(rpc::EventPort& loop, Provider& provider, const Options& option
   auto enough = kj::newPromiseAndFulfiller<void>();
   auto ended = ending(loop, provider, options).exclusiveJoin(kj::mv(enough.promise));
   Lines lines(options);
+  std::exception_ptr lost;  // is no failure of the provider, so that must not hear of it
   auto subscribed =
       provider.subscribe(events, lines.labels(), [&](const Member& event, const Json& value) {
-        lines.show("event", event, value);
-        if (lines.enough()) enough.fulfiller->fulfill();
+        if (lost) return;
+        try {
+          lines.show("event", event, value);
+        } catch (...) {
+          lost = std::current_exception();
+        }
+        if (lost || lines.enough()) enough.fulfiller->fulfill();
       });
   auto refused = subscribed.then([]() -> kj::Promise<void> { return kj::NEVER_DONE; });
   wait(loop, ended.exclusiveJoin(kj::mv(refused)));
+  if (lost) std::rethrow_exception(lost);
 }
 
 /// Says what there is to watch, unless `name` is a command, which readCommand() judges.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 namespace suture::cli {
 namespace {
@@ -139,8 +141,11 @@ std::string knownTo(Duration error) {
 }
 
 void print(const std::string& text) {
-  std::fputs(text.c_str(), stdout);
-  std::fflush(stdout);
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (whole && std::fflush(stdout) == 0) return;
+  const std::string asked = "write to standard output", found = std::strerror(errno);
+  if (errno == EPIPE) throw ReaderGone(asked + ": " + found);
+  throw SetupError(asked, found, "Make room, or write elsewhere");
 }
 
 void printJson(const Json& json) {

@@ -1,6 +1,7 @@
 #pragma once
 // This shows values to people.
 
+#include <suture/base/errors.h>
 #include <suture/base/plain.h>
 #include <suture/base/time.h>
 #include "cli/values/json.h"
@@ -26,8 +27,14 @@ double inMilliseconds(Duration duration);
 /// zero.
 std::string knownTo(Duration error);
 
+/// Says that who read standard output has gone, so that there is nothing more to do.
+class ReaderGone : public SetupError {
+ public:
+  using SetupError::SetupError;
+};
+
 /// These write to standard output at once: a text for people; JSON for programs, laid out or on one
-/// line.
+/// line. Each throws ReaderGone, or SetupError if the text is lost otherwise.
 void print(const std::string& text);
 void printJson(const Json& json);
 void printLine(const Json& json);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <climits>
+#include <cstring>
 
 namespace suture {
 namespace {
@@ -57,7 +58,11 @@ void ReportWriter::flush(Duration patience) {
       waiting_.erase(0, static_cast<std::size_t>(written));
     } else if (errno == EAGAIN) {
       return;
-    } else if (errno != EINTR) {  // no one reads any more
+    } else if (errno != EINTR) {
+      if (errno != EPIPE) {
+        problem_ = std::string("write reports: ") + std::strerror(errno) +
+                   ". None is written any more: look at where they go";
+      }
       descriptor_ = -1;
       waiting_.clear();
     }

@@ -5,6 +5,7 @@
 #include <suture/observe/report.h>
 
 #include <string>
+#include <utility>
 
 namespace suture {
 
@@ -25,6 +26,8 @@ class ReportWriter {
   void failure(const std::string& text, bool loss = false);
   /// Goes on with what waits here, for at most `patience`. Call it from time to time.
   void flush(Duration patience = Duration{0});
+  /// Returns, once, why reports are written no more; "" if they are, or if their reader has gone.
+  std::string takeProblem() { return std::exchange(problem_, ""); }
 
  private:
   void tell(const nlohmann::json& message, const std::string& text);
@@ -32,6 +35,7 @@ class ReportWriter {
   int descriptor_;
   const Form form_;
   std::string waiting_;  // messages from where the reader has stopped
+  std::string problem_;
 };
 
 }  // namespace suture

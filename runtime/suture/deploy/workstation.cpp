@@ -117,6 +117,7 @@ class Run {
       if (signals_.endBefore(std::min({reportDue, end_, now() + kWatchInterval}))) break;
       watch();
       reports_.flush();
+      tellOfReports();
       if (now() < reportDue) continue;
       reports_.report(observe(host_.manager(), began_));
       reportDue += interval_;
@@ -127,9 +128,11 @@ class Run {
     reports_.flush(kLastWords);
     reports_.report(observe(host_.manager(), began_));
     reports_.flush(kLastWords);
-    const bool failed = std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
-      return one.trouble.failure && (!one.trouble.loss || one.seen + kShutdown < ending);
-    });
+    tellOfReports();
+    const bool failed =
+        reportsLost_ || std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
+          return one.trouble.failure && (!one.trouble.loss || one.seen + kShutdown < ending);
+        });
     return failed ? kFailed : 0;
   }
 
@@ -162,6 +165,13 @@ class Run {
     }
   }
 
+  void tellOfReports() {
+    const std::string problem = reports_.takeProblem();
+    if (problem.empty()) return;
+    tell(problem);
+    reportsLost_ = true;
+  }
+
   void tell(const std::string& text) const {
     std::fprintf(stderr, "%s: %s\n", host_.manager().process().c_str(), text.c_str());
   }
@@ -174,6 +184,7 @@ class Run {
   const Time began_ = now();
   const Time end_;
   std::vector<Known> known_;
+  bool reportsLost_ = false;
 };
 
 // A component takes about five descriptors, and the usual soft limit is 1024. It is that low for

@@ -170,6 +170,26 @@ class Use(System):
         self.assertIn("process 'robot' is gone. Start it again.", json.loads(output)["error"])
         self.robot.returncode = 0  # as intended
 
+    def test_watch_ends_when_no_one_reads_any_more(self):
+        for name in ("opening", "moved"):
+            self.said("call", GRIPPER, "set_speed", "speed=0.5")
+            watching = self.watch(GRIPPER, name)
+            watching.stdout.readline()
+            watching.stdout.close()
+            self.said("call", GRIPPER, "set_speed", "speed=0.75")
+            self.assertEqual((watching.wait(PATIENCE), watching.stderr.read()), (0, ""))
+
+    def test_output_that_is_lost_is_an_error(self):
+        self.said("call", GRIPPER, "set_speed", "speed=0.5")
+        for words in (("ps",), ("ps", "--json"), ("read", GRIPPER, "opening"), ("watch", GRIPPER, "opening"),
+                      ("watch", GRIPPER, "moved"), ("why", "NotYet"), ("read", GRIPPER, "openin", "--json"), ("--help",)):
+            with self.subTest(words=words), open("/dev/full", "w", encoding="utf-8") as full:
+                address = () if words == ("--help",) else ("--manager", self.address)
+                done = subprocess.run([SUTURE, *words, *address], stdout=full, stderr=subprocess.PIPE, text=True, timeout=PATIENCE)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn("suture: write to standard output: No space left on device. Make room, or write elsewhere\n",
+                              done.stderr)
+
     def test_watch_ends_while_an_answer_is_awaited(self):
         stranger = self.start_stranger("deaf")
         for name in ("mode", "stopped"):

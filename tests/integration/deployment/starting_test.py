@@ -61,7 +61,7 @@ class Starting(Stations):
 
     def refused(self, *words, **settings):
         """Returns what a command line is refused with, before anything starts."""
-        station = self.workstation({"processes": [{"name": "one", "components": []}]}, "--seconds", "0.1", *words, **settings)
+        station = self.workstation({"processes": [{"name": "one", "components": []}]}, *words, **settings)
         told, problems = station.communicate(timeout=60)
         self.assertEqual((station.returncode, told), (2, ""), problems)
         self.assertIn("--help` tells what there is.\n", problems)
@@ -70,12 +70,21 @@ class Starting(Stations):
     def test_reports_go_nowhere_but_to_an_open_descriptor(self):
         """A number that is free at the start would be that of a socket or a recording later."""
         for text in ("7", "99"):
-            problems = self.refused("--report-fd", text)
+            problems = self.refused("--seconds", "0.1", "--report-fd", text)
             self.assertIn(f"--report-fd: descriptor {text} is not open. Open it where this is started", problems)
         for text in ("1.5", "1e3", "nan", "-1", "99999999999", "+1", ""):
-            self.assertIn("--report-fd: it is no descriptor. Give - or a number", self.refused("--report-fd", text))
+            self.assertIn("--report-fd: it is no descriptor. Give - or a number", self.refused("--seconds", "0.1", "--report-fd", text))
         with open(os.devnull, encoding="utf-8") as readable:
-            self.assertIn("--report-fd: descriptor 0 is not open for writing.", self.refused("--report-fd", "0", stdin=readable))
+            self.assertIn("--report-fd: descriptor 0 is not open for writing.",
+                          self.refused("--seconds", "0.1", "--report-fd", "0", stdin=readable))
+
+    def test_reports_that_are_lost_are_a_failure(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            station = self.workstation({"processes": [{"name": "one", "components": []}]}, "--seconds", "0.1",
+                                       "--report-fd", str(full.fileno()), pass_fds=(full.fileno(),))
+            problems = station.communicate(timeout=60)[1]
+        self.assertEqual((station.returncode, problems),
+                         (1, "one: write reports: No space left on device. None is written any more: look at where they go\n"))
 
     def await_line(self, station, end):
         for line in station.stderr:

@@ -104,7 +104,21 @@ TEST(ReportWriter, AReaderThatHasGoneIsNoError) {
   ReportWriter writer(ends[1], ReportWriter::Form::Text);
   writer.failure("x");
   writer.failure("x");
+  EXPECT_EQ(writer.takeProblem(), "");
   close(ends[1]);
+}
+
+TEST(ReportWriter, AFileThatTakesNoMoreIsToldOnce) {
+  const int full = open("/dev/full", O_WRONLY | O_CLOEXEC);
+  ASSERT_GE(full, 0);
+  ReportWriter writer(full, ReportWriter::Form::Text);
+  writer.failure("x");
+  EXPECT_EQ(
+      writer.takeProblem(),
+      "write reports: No space left on device. None is written any more: look at where they go");
+  writer.failure("x");
+  EXPECT_EQ(writer.takeProblem(), "");
+  close(full);
 }
 
 }  // namespace
