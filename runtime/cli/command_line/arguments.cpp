@@ -1,44 +1,82 @@
 #include "cli/command_line/arguments.h"
+#include <suture/deploy/document/json_document.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace suture::cli {
 namespace {
 
-Json parsed(const std::string& text) {
-  return Json::parse(text, nullptr, /*allow_exceptions=*/false);
+/// Returns the JSON that `text` is, or none; `name` stands for it in messages. A key that is given
+/// twice is refused, because one of the two would silently be ignored.
+std::optional<Json> parsed(const std::string& text, const std::string& name) {
+  if (!Json::accept(text)) return std::nullopt;
+  try {
+    JsonDocument::parse(text, name);
+  } catch (const DocumentError& error) {
+    throw UsageError(error.what());
+  }
+  return Json::parse(text);
 }
 
-void set(Json& arguments, const std::string& setting) {
-  const auto equals = setting.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw UsageError("argument '" + setting + "'", "it has no name",
-                     "Write name=value, or all of them as --args '{\"name\": value}'");
-  }
-  std::string path = "/" + setting.substr(0, equals);
-  std::replace(path.begin(), path.end(), '.', '/');
-  const std::string text = setting.substr(equals + 1);
-  Json value = parsed(text);
-  try {
-    arguments[Json::json_pointer(path)] = value.is_discarded() ? Json(text) : std::move(value);
-  } catch (const Json::exception&) {
-    throw UsageError("argument '" + setting + "'", "what it is part of has a value already",
-                     "Give that once");
-  }
+/// Tells if one pointer leads to what the other does, or into it.
+bool overlap(const std::string& one, const std::string& other) {
+  return (one + "/").starts_with(other + "/") || (other + "/").starts_with(one + "/");
 }
+
+/// Collects settings.
+class Settings {
+ public:
+  explicit Settings(Json& arguments) : arguments_(arguments) {}
+
+  void add(const std::string& setting) {
+    const auto equals = setting.find('=');
+    const std::string asked = "argument '" + setting + "'";
+    if (equals == std::string::npos || equals == 0) {
+      throw UsageError(asked, "it has no name",
+                       "Write name=value, or all of them as --args '{\"name\": value}'");
+    }
+    const std::string name = setting.substr(0, equals), text = setting.substr(equals + 1);
+    const std::string pointer = claim(name, asked);
+    try {
+      arguments_[Json::json_pointer(pointer)] =
+          parsed(text, "argument '" + name + "'").value_or(Json(text));
+    } catch (const Json::exception&) {
+      throw UsageError(asked, "what it is part of has a value already", "Give that once");
+    }
+  }
+
+ private:
+  std::string claim(const std::string& name, const std::string& asked) {
+    std::string pointer = "/" + name;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    for (const std::string& other : given_) {
+      if (!overlap(pointer, other)) continue;
+      throw UsageError(asked, "it, or a part of it, is given already", "Give it once");
+    }
+    given_.push_back(pointer);
+    return pointer;
+  }
+
+  Json& arguments_;
+  std::vector<std::string> given_;
+};
 
 }  // namespace
 
 Json argumentsOf(const Options& options) {
   Json arguments = Json::object();
   if (!options.arguments.empty()) {
-    arguments = parsed(options.arguments);
+    arguments = parsed(options.arguments, "--args").value_or(Json());
     if (!arguments.is_object()) {
       throw UsageError("--args " + options.arguments, "it is not a JSON object",
                        "Write --args '{\"name\": value}'");
     }
   }
-  for (const std::string& setting : options.settings) set(arguments, setting);
+  Settings settings(arguments);
+  for (const std::string& setting : options.settings) settings.add(setting);
   return arguments;
 }
 

@@ -7,7 +7,8 @@
 namespace suture::cli {
 
 /// Returns what --args has, and then each "goal.pose.x=0.1". A value that is JSON stays JSON;
-/// anything else is a text. Throws UsageError.
+/// anything else is a text. Throws UsageError, also for what is given twice; a setting may replace
+/// what --args has.
 Json argumentsOf(const Options& options);
 
 }  // namespace suture::cli

@@ -99,8 +99,7 @@ class Use(System):
         self.assertIn("argument 'mode': it is \"Serv\". Give one of 'Disabled', 'HoldStill' and 'Servo'",
                       error("grasp", "width=1", "mode=Serv"))
         self.assertIn("argument 'goal.pose.y': it is not given",
-                      error("servo_cp", "goal.pose.m00=1", *(f"goal.pose.{name}={value}" for name, value in POSE.items()
-                                                             if name != "y")))
+                      error("servo_cp", *(f"goal.pose.{name}={value}" for name, value in POSE.items() if name != "y")))
         self.assertIn("argument 'goal.valid': it is 1. Give true or false", error("servo_cp", "--args", GOAL, "goal.valid=1"))
         self.assertIn("argument 'goal.stamp': it is 0.5. Give a whole number", error("servo_cp", "--args", GOAL, "goal.stamp=0.5"))
         self.assertIn("is not a JSON object", error("open", "--args", "[1]"))

@@ -8,6 +8,7 @@
 #include "cli/contract/from_json.h"
 
 #include <cmath>
+#include <vector>
 
 #include "robots/arm.capnp.h"
 #include "support/refusal.h"
@@ -105,6 +106,31 @@ TEST(Arguments, OnTheCommandLineComeLast) {
   options.settings = {"goal.x.y=3"};
   EXPECT_EQ(suture::refusal([&] { argumentsOf(options); }),
             "argument 'goal.x.y=3': what it is part of has a value already. Give that once");
+}
+
+std::string refusalOfArguments(const std::string& arguments,
+                               const std::vector<std::string>& settings) {
+  Options options;
+  options.arguments = arguments;
+  options.settings = settings;
+  return suture::refusal([&] { argumentsOf(options); });
+}
+
+TEST(Arguments, GivenTwiceAreRefused) {
+  for (const char* again : {"goal.x=2", "goal.x={}", "goal.x.y=2", R"(goal={"x": 2})"}) {
+    EXPECT_EQ(refusalOfArguments("", {"goal.y=1", "goal.x=1", again}),
+              "argument '" + std::string(again) +
+                  "': it, or a part of it, is given already. Give it once")
+        << again;
+  }
+  EXPECT_EQ(refusalOfArguments("", {"goal=1", "goals=2", "goa=3"}), "");
+  const std::string repeated = R"({"x": 1, "y": {"z": 1, "z": 2}})";
+  EXPECT_EQ(refusalOfArguments(repeated, {}),
+            "--args:1: error: key 'z' was given before, on line 1. Keep one of the two");
+  EXPECT_EQ(refusalOfArguments("", {"goal=" + repeated}),
+            "argument 'goal':1: error: key 'z' was given before, on line 1. Keep one of the two");
+  EXPECT_EQ(refusalOfArguments(R"({"x": )", {}),
+            "--args {\"x\": : it is not a JSON object. Write --args '{\"name\": value}'");
 }
 
 TEST(Targets, AreReadInParts) {
