@@ -3,6 +3,7 @@
 
 #include <suture/base/nearest.h>
 #include <suture/deploy/document/json_document.h>
+#include <suture/deploy/number_option.h>
 #include <suture/names/global_manager.h>
 #include <suture/net/tls/keys.h>
 #include "cli/text/error_pages.h"
@@ -11,7 +12,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -55,10 +55,6 @@ CLI::AsNumberWithUnit seconds() {
                                CLI::AsNumberWithUnit::CASE_INSENSITIVE, "TIME");
 }
 
-suture::Duration durationOf(double seconds) {
-  return std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(seconds));
-}
-
 /// Adds the options that say what the subject of a verb is.
 void addTargets(CLI::App& app, const std::string& verb, Options& options) {
   const std::string form = "process:component/interface";
@@ -94,17 +90,20 @@ void addOptions(CLI::App& app, const std::string& verb, Options& options, Times&
                  "Folder with keys of 'suture', for tls:// (suture keys --process suture)");
   app.add_option("--timeout", times.patience, "For each step, as 5s or 300ms")
       ->transform(seconds())
+      ->check(suture::whyNotTime)
       ->capture_default_str();
   if (verb == "call") {
     app.add_option("settings", options.settings, "Arguments: name=value, goal.pose.x=0.1");
     app.add_option("--args", options.arguments, "Arguments as one JSON object");
   }
   if (verb == "watch") {
-    app.add_option("--rate", options.rate, "Of a read command, Hz")
-        ->check(CLI::Range(0.001, 1000.0))
+    app.add_option("--rate", options.rate, "Of a read command, Hz, from 0.001 to 1000")
+        ->check([](const std::string& text) { return suture::whyNotNumber(text, 0.001, 1000); })
         ->capture_default_str();
     app.add_option("--count", options.count, "Ends after as many; 0: never")->capture_default_str();
-    app.add_option("--for", times.period, "Ends after this time, as 2s")->transform(seconds());
+    app.add_option("--for", times.period, "Ends after this time, as 2s")
+        ->transform(seconds())
+        ->check(suture::whyNotTime);
     app.add_flag("--read", options.onlyReads,
                  "The name is a read command's, also if there is such an event");
   }
@@ -207,8 +206,8 @@ int main(int argc, char** argv) {
                       "--help` tells what there is",
                   json, kMisused);
   }
-  options.patience = durationOf(times.patience);
-  options.period = durationOf(times.period);
+  options.patience = suture::fromSeconds(times.patience);
+  options.period = suture::fromSeconds(times.period);
   const auto verb = std::find_if(std::begin(kVerbs), std::end(kVerbs),
                                  [&](const Verb& one) { return app.got_subcommand(one.name); });
   return attempt(options.json, [&] { return run(*verb, options); });

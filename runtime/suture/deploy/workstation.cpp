@@ -1,5 +1,6 @@
 #include <suture/base/nearest.h>
 #include <suture/deploy/host.h>
+#include <suture/deploy/number_option.h>
 #include <suture/deploy/report_descriptor.h>
 #include <suture/deploy/report_writer.h>
 #include <suture/deploy/workstation.h>
@@ -44,8 +45,8 @@ struct Options {
   bool messages = false;
 };
 
-Duration fromSeconds(double seconds) {
-  return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+auto numberFrom(double least, double most) {
+  return [=](const std::string& text) { return whyNotNumber(text, least, most); };
 }
 
 void declare(CLI::App& app, Options& options) {
@@ -53,10 +54,10 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--process", options.process,
                  "Which of its processes this is; may be left out if there is one only");
   app.add_option("--seconds", options.seconds, "How long to run; 0: until told to stop")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(numberFrom(0, 1e9));
   app.add_option("--report-interval", options.reportInterval, "Seconds between two reports")
       ->capture_default_str()
-      ->check(CLI::Range(0.01, 1e6));
+      ->check(numberFrom(0.01, 1e6));
   app.add_option("--report-fd", options.reportTo,
                  "Where to write reports: a file descriptor, or - for standard output")
       ->check(whyNotWritable);

@@ -51,6 +51,19 @@ class Fail(System):
                 self.assertIn("is not of the form", self.refused("read", name, "x", status=2))
         self.assertIn("manager", self.refused("ps", "--manager", "somewhere", status=2))
 
+    def test_a_time_that_is_none(self):
+        """Each of these would mean another time, or none, instead of being an error."""
+        for option in ("--timeout", "--for"):
+            for time in ("-1", "0", "1e12", "1e-9s", "nan", "inf", "1e300min"):
+                with self.subTest(option=option, time=time):
+                    error = self.refused("watch", GRIPPER, f"{option}={time}", status=2)
+                    self.assertTrue(error.startswith(option + ": "), error)
+        self.assertIn("--timeout: Give a time from 1 ms to 1e9 s.", self.refused("ps", "--timeout", "0", status=2))
+        for rate in ("nan", "inf", "-1", "0", "1e6"):
+            with self.subTest(rate=rate):
+                self.assertIn("--rate: Give a number from 0.001 to 1000.",
+                              self.refused("watch", GRIPPER, "opening", f"--rate={rate}", status=2))
+
     def test_watch_can_be_ended_while_it_looks_for_its_provider(self):
         with socket.socket(socket.AF_UNIX) as silent:
             silent.bind(self.address.removeprefix("unix:"))

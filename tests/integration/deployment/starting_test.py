@@ -78,6 +78,13 @@ class Starting(Stations):
             self.assertIn("--report-fd: descriptor 0 is not open for writing.",
                           self.refused("--seconds", "0.1", "--report-fd", "0", stdin=readable))
 
+    def test_a_time_that_is_none(self):
+        for seconds in ("nan", "inf", "-1", "1e12", "soon"):
+            self.assertIn("--seconds: Give a number from 0 to 1e+09\n", self.refused(f"--seconds={seconds}"))
+        for interval in ("nan", "0", "-1", "1e12"):
+            problems = self.refused("--seconds", "0.1", "--report-fd", "-", f"--report-interval={interval}")
+            self.assertIn("--report-interval: Give a number from 0.01 to 1e+06\n", problems)
+
     def test_reports_that_are_lost_are_a_failure(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
             station = self.workstation({"processes": [{"name": "one", "components": []}]}, "--seconds", "0.1",
