@@ -46,7 +46,7 @@ int resume(rpc::EventPort& loop, const Options& options) {
   Provider life(loop, options, lifeOf(required));
   const Member& command = life.contract().command("resume_connection");
   const Answer answer = life.call(command, {{"required", required.interface}}, Labels::Names);
-  const std::string outcome = answer.value.get<std::string>();
+  const std::string outcome = valueLine(answer.value);  // a peer may answer no text
   const std::string text = told(outcome, required.toString());
   if (options.json) {
     printJson({{"outcome", outcome}});

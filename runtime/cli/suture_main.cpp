@@ -2,7 +2,6 @@
 // what it looks at.
 
 #include <suture/base/nearest.h>
-#include <suture/deploy/document/json_document.h>
 #include <suture/deploy/number_option.h>
 #include <suture/names/global_manager.h>
 #include <suture/net/tls/keys.h>
@@ -13,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -153,15 +153,13 @@ int attempt(bool json, const Work& work) {
     return 0;
   } catch (const UsageError& error) {
     return report(error.what(), json, kMisused);
-  } catch (const suture::SetupError& error) {
-    return report(error.what(), json, kFailed);
-  } catch (const suture::DocumentError& error) {
-    return report(error.what(), json, kFailed);
   } catch (const kj::Exception& error) {
     // A hostile peer can describe itself so that any step breaks.
     return report(std::string("use what the process sent: ") + error.getDescription().cStr() +
                       ". It was built with another Suture, or is not what it seems",
                   json, kFailed);
+  } catch (const std::exception& error) {
+    return report(error.what(), json, kFailed);
   }
 }
 

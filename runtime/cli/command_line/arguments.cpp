@@ -2,6 +2,7 @@
 #include <suture/deploy/document/json_document.h>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,17 @@ std::optional<Json> parsed(const std::string& text, const std::string& name) {
 /// Tells if one pointer leads to what the other does, or into it.
 bool overlap(const std::string& one, const std::string& other) {
   return (one + "/").starts_with(other + "/") || (other + "/").starts_with(one + "/");
+}
+
+/// Tells if a part of a pointer is a number of more than six digits. A list would have to grow that
+/// long first, which may take more memory than there is.
+bool leadsTooFar(const std::string& pointer) {
+  std::size_t digits = 0;
+  for (const char one : pointer) {
+    digits = std::isdigit(static_cast<unsigned char>(one)) != 0 ? digits + 1 : 0;
+    if (digits > 6) return true;
+  }
+  return false;
 }
 
 /// Collects settings.
@@ -52,6 +64,9 @@ class Settings {
   std::string claim(const std::string& name, const std::string& asked) {
     std::string pointer = "/" + name;
     std::replace(pointer.begin(), pointer.end(), '.', '/');
+    if (leadsTooFar(pointer)) {
+      throw UsageError(asked, "no list has so many elements", "Give all of it in --args");
+    }
     for (const std::string& other : given_) {
       if (!overlap(pointer, other)) continue;
       throw UsageError(asked, "it, or a part of it, is given already", "Give it once");

@@ -27,7 +27,8 @@ std::vector<std::filesystem::path> makeKeys(const KeysRequest& request) {
     throw SetupError("make keys", "neither a deployment nor a process is given",
                      "Add --deployment FILE or --process NAME.");
   }
-  const bool first = !std::filesystem::exists(tls::KeyFiles{request.out}.caCertificate());
+  std::error_code unknown;  // makeKeys() says what is wrong with a folder that cannot be looked at
+  const bool first = !std::filesystem::exists(tls::KeyFiles{request.out}.caCertificate(), unknown);
   if (first) names.push_back(tls::kManagerName);
   return tls::makeKeys(request.out, names);
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 
 namespace suture::rpc {
 
@@ -46,15 +47,24 @@ ControlThread::ControlThread() {
   thread_.start(
       "control", [this] { serve(); }, rt::Thread::Signals::None);
   started_.wait();
+  if (!whyNot_) return;
+  thread_.join();
+  std::rethrow_exception(whyNot_);
 }
 
 void ControlThread::serve() {
   pthread_setname_np(pthread_self(), "suture-control");
   rt::askForSlice(rt::kServiceSlice);
-  Loop loop(*this);
-  loop_ = &loop;
+  std::optional<Loop> loop;
+  try {
+    loop.emplace(*this);
+  } catch (...) {
+    whyNot_ = std::current_exception();
+    return started_.ring();
+  }
+  loop_ = &*loop;
   started_.ring();
-  loop.runUntilStopped();
+  loop->runUntilStopped();
   std::lock_guard lock(mutex_);
   posted_.clear();
 }

@@ -11,6 +11,7 @@
 #include <suture/rt/thread.h>
 
 #include <atomic>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -105,6 +106,7 @@ class ControlThread {
   std::atomic<bool> anyPosted_{false};
   std::vector<Pump*> pumps_;
   Loop* loop_ = nullptr;
+  std::exception_ptr whyNot_;  // there is no loop
   rt::Doorbell started_;
   rt::Thread thread_;
 };

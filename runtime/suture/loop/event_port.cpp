@@ -1,5 +1,6 @@
 #include <suture/base/errors.h>
 #include <suture/loop/event_port.h>
+#include <suture/loop/failure.h>
 #include <sys/epoll.h>
 
 #include <algorithm>
@@ -43,10 +44,14 @@ EventPort::FdObserver::~FdObserver() noexcept(false) {
   if (port_.steppedTimer_) epoll_ctl(port_.arrivals_, EPOLL_CTL_DEL, descriptor_, nullptr);
 }
 
-EventPort::EventPort(rt::Doorbell* bell) : bell_(bell) {
+// KJ throws where it gets no descriptor.
+EventPort::EventPort(rt::Doorbell* bell) try : bell_(bell) {
   if (virtualTime() == nullptr) return;
   steppedTimer_.emplace(toKj(now()));
   arrivals_ = makeArrivals();
+} catch (const kj::Exception& error) {
+  throw SetupError("start a loop of events", describe(error),
+                   "Raise the limit of open files (ulimit -n).");
 }
 
 kj::Timer& EventPort::getTimer() {

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -60,7 +61,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     serve(options);
-  } catch (const suture::SetupError& error) {
+  } catch (const std::exception& error) {
     std::fprintf(stderr, "suture-manager: %s\n`suture why \"...\"` tells more of this.\n",
                  error.what());
     return 1;

@@ -2,12 +2,13 @@
 
 import json
 import os
+import resource
 import signal
 import socket
 import subprocess
 import unittest
 
-from system import PATIENCE, SUTURE, System
+from system import MANAGER, PATIENCE, SUTURE, System
 
 GRIPPER = "robot:Hand/Gripper"
 ROTATION = {f"m{row}{column}": 0 for row in range(3) for column in range(3)}
@@ -74,6 +75,30 @@ class Fail(System):
                 link.recv(1)
                 watching.send_signal(signal.SIGTERM)
                 self.assertEqual(watching.wait(PATIENCE), -signal.SIGTERM)
+
+    def test_too_few_descriptors_are_no_peers_fault(self):
+        self.start_manager()
+        self.start_robot()
+
+        def limited(limit, *words):
+            return subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (limit, limit)))
+
+        for limit in range(5, 10):
+            with self.subTest(limit=limit):
+                done = limited(limit, SUTURE, "read", "--manager", self.address, GRIPPER, "opening")
+                self.assertIn(done.returncode, (0, 1), done)
+                self.assertNotIn("what the process sent", done.stderr)
+        self.assertIn("Raise the limit of open files (ulimit -n)", limited(5, SUTURE, "ps").stderr)
+        done = limited(5, MANAGER, "--listen", self.address + "2")
+        self.assertEqual(done.returncode, 1, done)
+        self.assertTrue(done.stderr.startswith("suture-manager: "), done.stderr)
+
+    def test_a_path_that_is_too_long(self):
+        for words in (("--deployment", "x" * 300, "--out", "k"), ("--process", "left", "--out", "x" * 300)):
+            done = self.run_without_manager("keys", *words)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn("File name too long", done.stderr)
 
     def test_an_error_that_is_none(self):
         error = self.refused("why", "Errc::NotYett", status=2)
@@ -172,6 +197,11 @@ class Fail(System):
                               ("watch", f"{how}:Odd/Arm", "stopped")):
                     self.assertIn(found, self.refused(*words))
                 self.assertIn(found, self.failed("schema", f"{how}:Odd/Arm")["found"])
+
+    def test_a_resume_that_answers_no_text(self):
+        self.start_manager()
+        self.start_stranger("wordless")
+        self.assertIn("it answers '0', which this program does not know", self.refused("resume", "wordless:Odd/Arm"))
 
     def test_a_type_that_holds_itself(self):
         self.start_manager()

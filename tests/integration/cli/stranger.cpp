@@ -11,6 +11,7 @@
 //   incomplete   ... with a schema that lacks the interface itself
 //   broken       ... with a field that lies outside its struct, where 32 bits do not see it
 //   groups       ... with a struct that is a group of itself
+//   wordless     ... as a component's life, whose resume_connection answers a number
 //   changed      ... with a contract whose field has another type
 
 #include <capnp/message.h>
@@ -21,8 +22,10 @@
 #include <suture/names/records.h>
 #include <suture/peer.capnp.h>
 #include <suture/session/provider/explain.h>
+#include <suture/standard/lifecycle.suture.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -57,6 +60,15 @@ capnp::schema::Node::Builder nodeOf(Explanation::Builder explanation) {
   throw suture::SetupError("there is no such struct");
 }
 
+/// Has the struct numbers where it has outcomes.
+void answerNumbers(capnp::schema::Node::Struct::Builder node) {
+  for (auto field : node.getFields()) {
+    if (!field.isSlot() || !field.getSlot().getType().isEnum()) continue;
+    field.getSlot().getType().setUint16();
+    field.getSlot().getDefaultValue().setUint16(0);
+  }
+}
+
 void spoil(Explanation::Builder explanation, const std::string& how) {
   const std::string description = explanation.getDescription().cStr();
   if (how == "description") explanation.setDescription("{\"name\": ");
@@ -71,6 +83,11 @@ void spoil(Explanation::Builder explanation, const std::string& how) {
     everything.setScopeId(everything.getId());
     everything.getStruct().setIsGroup(true);
     everything.getStruct().getFields()[0].initGroup().setTypeId(everything.getId());
+  }
+  if (how == "wordless") {
+    for (auto node : explanation.getNodes()) {
+      if (node.isStruct()) answerNumbers(node.getStruct());
+    }
   }
   if (how == "changed") {
     std::string other = replaced(description, "\"hash\": \"", "\"hash\": \"0");
@@ -106,6 +123,16 @@ class Arm final : public robots::wire::Arm::Server {
   const bool deaf_;
 };
 
+/// Answers each call with zeros.
+class Zeros final : public capnp::Capability::Server {
+ public:
+  DispatchCallResult dispatchCall(
+      std::uint64_t, std::uint16_t,
+      capnp::CallContext<capnp::AnyPointer, capnp::AnyPointer>) override {
+    return {kj::READY_NOW, /*isStreaming=*/false};
+  }
+};
+
 class Stranger final : public suture::wire::Peer::Server {
  public:
   explicit Stranger(std::string how) : how_(std::move(how)) {}
@@ -132,13 +159,19 @@ class Stranger final : public suture::wire::Peer::Server {
   kj::Promise<void> explain(ExplainContext context) override {
     if (how_ == "older") return Server::explain(context);
     auto explanation = context.getResults().initExplained();
-    suture::explain(suture::interfaceInfo<robots::Arm>(), explanation);
+    suture::explain(how_ == "wordless" ? suture::interfaceInfo<suture::Lifecycle>()
+                                       : suture::interfaceInfo<robots::Arm>(),
+                    explanation);
     spoil(explanation, how_);
     return kj::READY_NOW;
   }
 
   kj::Promise<void> open(OpenContext context) override {
-    context.getResults().setContract(kj::heap<Arm>(how_ == "deaf"));
+    if (how_ == "wordless") {
+      context.getResults().setContract(kj::heap<Zeros>());
+    } else {
+      context.getResults().setContract(kj::heap<Arm>(how_ == "deaf"));
+    }
     return kj::READY_NOW;
   }
 

@@ -133,6 +133,18 @@ TEST(Arguments, GivenTwiceAreRefused) {
             "--args {\"x\": : it is not a JSON object. Write --args '{\"name\": value}'");
 }
 
+TEST(Arguments, AListGrowsByElementsThatAreGiven) {
+  Options options;
+  options.settings = {"list.1=b", "list.0=a"};
+  EXPECT_EQ(argumentsOf(options), Json::parse(R"({"list": ["a", "b"]})"));
+  for (const char* far : {"list.99999999999=5", "list.99999999999999999999=5", "a.1000000.0=1"}) {
+    EXPECT_EQ(refusalOfArguments("", {far}),
+              "argument '" + std::string(far) +
+                  "': no list has so many elements. Give all of it in --args")
+        << far;
+  }
+}
+
 TEST(Targets, AreReadInParts) {
   for (const char* text : {"a", "a:b", "a:b/c"}) EXPECT_EQ(Target::parse(text).toString(), text);
   for (const char* text : {"", ":b", "a/c", "a:/c", "a:b/", "a:b/c/d", "a:b:c/d", "a:b/c:d"}) {

@@ -60,6 +60,14 @@ TEST_F(DeploymentKeys, NoProcessesIsAnError) {
   EXPECT_FALSE(std::filesystem::exists(keys()));
 }
 
+TEST_F(DeploymentKeys, AFolderThatCannotBeIsAnError) {
+  const std::string out(300, 'x');
+  const std::string error =
+      refusal([&] { suture::makeKeys({.deployment = "", .processes = {"left"}, .out = out}); });
+  EXPECT_EQ(error,
+            "keep keys in " + out + ": File name too long. Give a folder in one that exists.");
+}
+
 TEST_F(DeploymentKeys, TheCommandLineSaysWhatIsWanted) {
   CLI::App program;
   KeysRequest request;

@@ -126,7 +126,8 @@ void requireFree(const KeyFiles& files, const std::vector<std::string>& processe
                        "Choose another name for the process.");
     }
     for (const fs::path& file : {files.certificate(process), files.key(process)}) {
-      if (!fs::exists(fs::symlink_status(file))) continue;
+      std::error_code unknown;
+      if (!fs::exists(fs::symlink_status(file, unknown))) continue;
       throw SetupError(
           asked, file.string() + " exists, and nothing is overwritten",
           "Name only processes that were added, by --process NAME; remove the files of "
