@@ -1,6 +1,7 @@
 #include "cli/contract/from_json.h"
 #include <suture/base/nearest.h>
 #include <suture/wire/json/annotations.h>
+#include <suture/wire/json/json_integers.h>
 #include <suture/wire/json/json_reals.h>
 #include <suture/wire/json/optional_value.h>
 #include <suture/wire/json/packed_numbers.h>
@@ -60,22 +61,22 @@ struct ElementPlace {
 
 template <class Integer, class Place>
 void setInteger(Place place, const Json& json, const std::string& path) {
-  using Limits = std::numeric_limits<Integer>;
-  const bool fits = json.is_number_unsigned()
-                        ? json.get<std::uint64_t>() <= static_cast<std::uint64_t>(Limits::max())
-                        : json.is_number_integer() && Limits::is_signed &&
-                              json.get<std::int64_t>() >= static_cast<std::int64_t>(Limits::min());
-  if (!fits) {
+  const auto value = integerOf<Integer>(json);
+  if (!value) {
+    using Limits = std::numeric_limits<Integer>;
     refuse(path, "it is " + shown(json),
            "Give a whole number from " + std::to_string(Limits::min()) + " to " +
                std::to_string(Limits::max()));
   }
-  place.set(json.get<Integer>());
+  place.set(*value);
 }
 
-template <class Place>
+template <class Real, class Place>
 void setReal(Place place, const Json& json, const std::string& path) {
-  const auto value = realOf(json);
+  const auto value = realOf<Real>(json);
+  if (!value && json.is_number()) {
+    refuse(path, "it is " + shown(json), "Give a number that a Float32 can hold");
+  }
   if (!value) refuse(path, "it is " + shown(json), "Give a number");
   place.set(*value);
 }
@@ -93,7 +94,8 @@ void setData(Place place, const Json& json, const std::string& path) {
   try {
     bytes = bytesOf(json, place.bulk());
   } catch (const std::exception&) {
-    refuse(path, "it is " + shown(json), "Give a list of numbers");
+    const std::string kind = place.bulk().empty() ? "UInt8" : place.bulk();
+    refuse(path, "it is " + shown(json), "Give a list of numbers, each a " + kind);
   }
   place.set(capnp::Data::Reader(bytes.data(), bytes.size()));
 }
@@ -135,8 +137,8 @@ void setValue(Place place, const Json& json, const std::string& path) {
     case Which::UINT16: return setInteger<std::uint16_t>(place, json, path);
     case Which::UINT32: return setInteger<std::uint32_t>(place, json, path);
     case Which::UINT64: return setInteger<std::uint64_t>(place, json, path);
-    case Which::FLOAT32:
-    case Which::FLOAT64: return setReal(place, json, path);
+    case Which::FLOAT32: return setReal<float>(place, json, path);
+    case Which::FLOAT64: return setReal<double>(place, json, path);
     case Which::TEXT: return setText(place, json, path);
     case Which::DATA: return setData(place, json, path);
     case Which::LIST: return setList(place, json, path);

@@ -8,6 +8,8 @@
 #include "cli/contract/from_json.h"
 
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "robots/arm.capnp.h"
@@ -54,7 +56,17 @@ TEST(Values, AreRefusedIfTheyDoNotFit) {
   EXPECT_NE(refusal(R"({"count": 1.5})"), "");
   EXPECT_EQ(refusal(R"({"label": 5})"), "argument 'label': it is 5. Give a text, \"like this\"");
   EXPECT_EQ(refusal(R"({"bytes": ["a"]})"),
-            "argument 'bytes': it is [\"a\"]. Give a list of numbers");
+            "argument 'bytes': it is [\"a\"]. Give a list of numbers, each a UInt8");
+  for (const char* bytes : {"[256]", "[-1]", "[1.5]", "[true]", "[1, 300]", "5", R"({"a": 1})"}) {
+    EXPECT_EQ(refusal((R"({"bytes": )" + std::string(bytes) + "}").c_str()),
+              "argument 'bytes': it is " + Json::parse(bytes).dump() +
+                  ". Give a list of numbers, each a UInt8");
+  }
+  for (const char* real : {"1e300", "-1e300", "3.5e38"}) {
+    EXPECT_EQ(refusal((R"({"ratio": )" + std::string(real) + "}").c_str()),
+              "argument 'ratio': it is " + Json::parse(real).dump() +
+                  ". Give a number that a Float32 can hold");
+  }
   EXPECT_EQ(refusal(R"({"names": "a"})"),
             "argument 'names': it is \"a\". Give a list, [like, this]");
   EXPECT_EQ(refusal(R"({"goal": 1})"),
@@ -95,6 +107,19 @@ TEST(Values, BulkValuesAreNumbers) {
   EXPECT_EQ(numbersIn(bytes, "Float64"), Json::parse(R"([1.5, "nan", -2.0])"));
   EXPECT_EQ(numbersIn(bytesOf(Json{-1, 300}, "Int16"), "Int16"), (Json{-1, 300}));
   EXPECT_EQ(numbersIn(bytesOf(Json{1, 2}, "Int16"), ""), (Json{1, 0, 2, 0}));
+}
+
+TEST(Values, BulkNumbersAreNotCut) {
+  for (const auto& [numbers, bulk] :
+       {std::pair(Json{128}, "Int8"), std::pair(Json{-1}, "UInt64"), std::pair(Json{0.5}, "Int32"),
+        std::pair(Json{true}, "Int16"), std::pair(Json{1e300}, "Float32"),
+        std::pair(Json(7), "Int16"), std::pair(Json{{"a", 7}}, "Float64"),
+        std::pair(Json("nan"), "Float64")}) {
+    EXPECT_ANY_THROW(bytesOf(numbers, bulk)) << numbers << " " << bulk;
+  }
+  const Json edges{std::numeric_limits<std::int64_t>::min(), -1, 0};
+  EXPECT_EQ(numbersIn(bytesOf(edges, "Int64"), "Int64"), edges);
+  EXPECT_EQ(numbersIn(bytesOf(Json{"inf", -0.5}, "Float32"), "Float32"), (Json{"inf", -0.5}));
 }
 
 TEST(Arguments, OnTheCommandLineComeLast) {

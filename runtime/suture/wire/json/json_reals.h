@@ -16,13 +16,17 @@ inline Json realToJson(double value) {
   return value;
 }
 
-/// Does the reverse; returns none if it is neither.
-inline std::optional<double> realOf(const Json& json) {
-  if (json.is_number()) return json.get<double>();
-  if (json == "nan") return std::numeric_limits<double>::quiet_NaN();
-  if (json == "inf") return std::numeric_limits<double>::infinity();
-  if (json == "-inf") return -std::numeric_limits<double>::infinity();
-  return std::nullopt;
+/// Does the reverse; returns none if it is neither, or is finite and larger than any Real.
+template <class Real>
+std::optional<Real> realOf(const Json& json) {
+  using Limits = std::numeric_limits<Real>;
+  if (json == "nan") return Limits::quiet_NaN();
+  if (json == "inf") return Limits::infinity();
+  if (json == "-inf") return -Limits::infinity();
+  if (!json.is_number()) return std::nullopt;
+  const auto value = json.get<double>();
+  if (std::isfinite(value) && std::abs(value) > Limits::max()) return std::nullopt;
+  return static_cast<Real>(value);
 }
 
 }  // namespace suture

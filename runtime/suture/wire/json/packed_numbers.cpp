@@ -1,7 +1,9 @@
+#include <suture/wire/json/json_integers.h>
 #include <suture/wire/json/json_reals.h>
 #include <suture/wire/json/packed_numbers.h>
 
 #include <cstring>
+#include <stdexcept>
 #include <type_traits>
 
 namespace suture {
@@ -40,13 +42,14 @@ Json numbersIn(std::span<const std::uint8_t> bytes, const std::string& bulk) {
 }
 
 std::vector<std::uint8_t> bytesOf(const Json& numbers, const std::string& bulk) {
+  if (!numbers.is_array()) throw std::invalid_argument("these are no list of numbers");
   return withKind(bulk, [&](auto kind) {
     std::vector<std::uint8_t> bytes;
     for (const Json& number : numbers) {
       if constexpr (std::is_floating_point_v<decltype(kind)>) {
-        kind = static_cast<decltype(kind)>(realOf(number).value());
+        kind = realOf<decltype(kind)>(number).value();
       } else {
-        kind = number.get<decltype(kind)>();
+        kind = integerOf<decltype(kind)>(number).value();
       }
       const auto at = bytes.size();
       bytes.resize(at + sizeof(kind));

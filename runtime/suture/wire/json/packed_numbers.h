@@ -11,7 +11,8 @@ namespace suture {
 
 /// Returns a list of numbers of the kind `bulk` ("Float64"), or of bytes if we know no such kind.
 Json numbersIn(std::span<const std::uint8_t> bytes, const std::string& bulk);
-/// Does the reverse; what is no number of the kind throws nlohmann's exceptions.
+/// Does the reverse. Throws for what is no list, or has what is no number of the kind: nothing is
+/// cut to fit.
 std::vector<std::uint8_t> bytesOf(const Json& numbers, const std::string& bulk);
 
 }  // namespace suture
