@@ -105,7 +105,8 @@ void addOptions(CLI::App& app, const std::string& verb, Options& options, Times&
         ->transform(seconds())
         ->check(suture::whyNotTime);
     app.add_flag("--read", options.onlyReads,
-                 "The name is a read command's, also if there is such an event");
+                 "The name is a read command's, also if there is such an event")
+        ->needs(app.get_option("name"));
   }
 }
 

@@ -15,6 +15,10 @@ void addKeysOptions(CLI::App& keys, KeysRequest& request) {
   keys.add_option("--out", request.out,
                   "Their folder; the CA in it is used again, and no file is overwritten")
       ->required();
+  keys.final_callback([&request] {
+    if (!request.deployment.empty() || !request.processes.empty()) return;
+    throw CLI::RequiredError("--deployment FILE or --process NAME");
+  });
 }
 
 std::vector<std::filesystem::path> makeKeys(const KeysRequest& request) {
@@ -22,10 +26,6 @@ std::vector<std::filesystem::path> makeKeys(const KeysRequest& request) {
   if (!request.deployment.empty()) {
     const Deployment deployment(JsonDocument::read(request.deployment));
     for (const ProcessEntry& process : deployment.processes()) names.push_back(process.name);
-  }
-  if (names.empty()) {
-    throw SetupError("make keys", "neither a deployment nor a process is given",
-                     "Add --deployment FILE or --process NAME.");
   }
   std::error_code unknown;  // makeKeys() says what is wrong with a folder that cannot be looked at
   const bool first = !std::filesystem::exists(tls::KeyFiles{request.out}.caCertificate(), unknown);

@@ -55,16 +55,19 @@ void declare(CLI::App& app, Options& options) {
                  "Which of its processes this is; may be left out if there is one only");
   app.add_option("--seconds", options.seconds, "How long to run; 0: until told to stop")
       ->check(numberFrom(0, 1e9));
+  CLI::Option* const reportTo =
+      app.add_option("--report-fd", options.reportTo,
+                     "Where to write reports: a file descriptor, or - for standard output")
+          ->check(whyNotWritable);
   app.add_option("--report-interval", options.reportInterval, "Seconds between two reports")
       ->capture_default_str()
-      ->check(numberFrom(0.01, 1e6));
-  app.add_option("--report-fd", options.reportTo,
-                 "Where to write reports: a file descriptor, or - for standard output")
-      ->check(whyNotWritable);
+      ->check(numberFrom(0.01, 1e6))
+      ->needs(reportTo);
   app.add_option("--report-form", options.reportForm,
                  "json: an object a line; text: lines for people")
       ->capture_default_str()
-      ->check(CLI::IsMember({"json", "text"}));
+      ->check(CLI::IsMember({"json", "text"}))
+      ->needs(reportTo);
   app.add_flag("--messages", options.messages,
                "Tell on standard error what components say: their status, warning and error");
 }

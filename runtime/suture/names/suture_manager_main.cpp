@@ -15,6 +15,8 @@
 
 namespace {
 
+constexpr int kFailed = 1, kMisused = 2;  // exit status
+
 struct Options {
   std::string address = suture::GlobalManager::defaultAddress();
   std::string keys;
@@ -58,13 +60,15 @@ int main(int argc, char** argv) {
       "The folder of keys that tls:// needs: that of 'suture-manager', from suture keys");
   app.add_option("--user", options.users,
                  "unix: a user (by number) whose processes may come too; more than once for more");
-  CLI11_PARSE(app, argc, argv);
   try {
+    app.parse(argc, argv);
     serve(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kMisused;  // 0: --help
   } catch (const std::exception& error) {
     std::fprintf(stderr, "suture-manager: %s\n`suture why \"...\"` tells more of this.\n",
                  error.what());
-    return 1;
+    return kFailed;
   }
   return 0;
 }

@@ -100,6 +100,20 @@ class Fail(System):
             self.assertEqual(done.returncode, 1, done.stderr)
             self.assertIn("File name too long", done.stderr)
 
+    def test_what_is_missing_on_the_command_line(self):
+        keys = self.run_without_manager("keys", "--out", "k2")
+        self.assertEqual(keys.returncode, 2)
+        self.assertIn("--deployment FILE or --process NAME is required", keys.stderr)
+        self.assertIn("--read requires name", self.refused("watch", GRIPPER, "--read", status=2))
+
+    def test_a_manager_that_is_asked_for_what_cannot_be_meant(self):
+        for words in (("--lisen", "x"), ("--user", "me"), ("--keys",), ("again",)):
+            with self.subTest(words=words):
+                done = subprocess.run([MANAGER, *words], capture_output=True, text=True, timeout=PATIENCE)
+                self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                self.assertIn("--help", done.stderr)
+        self.assertEqual(subprocess.run([MANAGER, "--help"], capture_output=True, timeout=PATIENCE).returncode, 0)
+
     def test_an_error_that_is_none(self):
         error = self.refused("why", "Errc::NotYett", status=2)
         self.assertIn("explain 'Errc::NotYett': no error has that name or text. There are 'awaiting-operator', ", error)

@@ -85,6 +85,10 @@ class Starting(Stations):
             problems = self.refused("--seconds", "0.1", "--report-fd", "-", f"--report-interval={interval}")
             self.assertIn("--report-interval: Give a number from 0.01 to 1e+06\n", problems)
 
+    def test_how_to_report_needs_where_to(self):
+        for words in (("--report-form", "text"), ("--report-interval", "2")):
+            self.assertIn(f"{words[0]} requires --report-fd", self.refused("--seconds", "0.1", *words))
+
     def test_reports_that_are_lost_are_a_failure(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
             station = self.workstation({"processes": [{"name": "one", "components": []}]}, "--seconds", "0.1",

@@ -54,12 +54,6 @@ TEST_F(DeploymentKeys, EachProcessAndTheGlobalManagerGetSome) {
   EXPECT_EQ(suture::makeKeys({.deployment = "", .processes = {"late"}, .out = keys()}).size(), 2u);
 }
 
-TEST_F(DeploymentKeys, NoProcessesIsAnError) {
-  const std::string error = refusal([&] { suture::makeKeys(KeysRequest{"", {}, keys()}); });
-  EXPECT_TRUE(contains(error, "Add --deployment FILE or --process NAME")) << error;
-  EXPECT_FALSE(std::filesystem::exists(keys()));
-}
-
 TEST_F(DeploymentKeys, AFolderThatCannotBeIsAnError) {
   const std::string out(300, 'x');
   const std::string error =
@@ -76,6 +70,14 @@ TEST_F(DeploymentKeys, TheCommandLineSaysWhatIsWanted) {
   EXPECT_EQ(request.processes, (std::vector<std::string>{"left", "right"}));
   EXPECT_EQ(request.out, "k");
   EXPECT_THROW(program.parse("--process left"), CLI::RequiredError);
+}
+
+TEST_F(DeploymentKeys, ACommandLineWithoutProcessesIsAnError) {
+  CLI::App program;
+  KeysRequest request;
+  suture::addKeysOptions(program, request);
+  EXPECT_EQ(refusal([&] { program.parse("--out k"); }),
+            "--deployment FILE or --process NAME is required");
 }
 
 TEST_F(DeploymentKeys, AHostUsesThoseOfItsProcess) {
