@@ -32,6 +32,8 @@ class SUTURE_COMPONENT() KnotRecorder final : public suture::PeriodicTask {
   /// Throws suture::SetupError if the file cannot be written.
   explicit KnotRecorder(const KnotRecorderParameters& parameters);
 
+  void onConfigure() override { writer_.take(); }
+  void onStart() override { writer_.begin(); }
   void run() override;
 
   /// Any thread. Returns how many records are not in the file, because it was too slow or its disk

@@ -1,7 +1,7 @@
 #pragma once
 // This writes rows of a control loop to a file.
 
-#include <suture/base/errors.h>
+#include <suture/base/line_file.h>
 #include <suture/component/task/periodic_task.h>
 
 #include <atomic>
@@ -9,35 +9,39 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
+#include <utility>
 #include <vector>
 
 namespace robots {
 
 /// Has a ring that a task fills, and a task of its own that writes it to the file, twenty times a
-/// second. The destructor writes what is left. A row must have a function write(std::ostream&, row)
-/// in its own namespace, and must be copied without an allocation.
+/// second. The destructor writes what is left. A start that is refused leaves an earlier recording:
+/// take the file when the owner is configured, and begin() when it starts. A row must have a
+/// function write(std::ostream&, row) in its own namespace, and must be copied without an
+/// allocation.
 template <class Row>
 class RecordingWriter final : private suture::PeriodicTask {
  public:
-  /// Replaces the file. The ring has room for `rows`. Throws suture::SetupError if the file cannot
-  /// be written.
+  /// Changes nothing. The ring has room for `rows`. Throws suture::SetupError if the file cannot be
+  /// written.
   RecordingWriter(const std::filesystem::path& file, std::size_t rows)
-      : PeriodicTask({.period = std::chrono::milliseconds(50)}),
-        out_(file, std::ios::trunc),
-        ring_(rows) {
-    if (!out_) {
-      throw suture::SetupError("recording to " + file.string(), "the file cannot be written",
-                               "name a file in an existing folder that you may write to");
-    }
-    start();
-  }
+      : PeriodicTask({.period = std::chrono::milliseconds(50)}), file_(file), ring_(rows) {}
   ~RecordingWriter() override {
     stop();
     drain();
   }
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+  /// The manager's thread, once: takes the file, and starts the thread that writes. Throws
+  /// suture::SetupError if another recording has it.
+  void take() {
+    file_.take();
+    start();
+  }
+  /// Any thread, after take(): from now on replaces what the file had.
+  void begin() { begun_.store(true, std::memory_order_release); }
 
   /// One task's thread. Never blocks or allocates. Returns false if the row was dropped because the
   /// file is so far behind that the ring is full.
@@ -60,22 +64,26 @@ class RecordingWriter final : private suture::PeriodicTask {
  private:
   void run() override { drain(); }
   void drain() {
-    std::size_t written = written_.load(std::memory_order_relaxed);
+    if (!begun_.load(std::memory_order_acquire)) return;
+    const std::size_t before = written_.load(std::memory_order_relaxed);
+    std::size_t written = before;
+    std::ostringstream lines;
     while (written != pushed_.load(std::memory_order_acquire)) {
-      write(out_, ring_[written % ring_.size()]);
+      write(lines, ring_[written % ring_.size()]);
       written_.store(++written, std::memory_order_release);
     }
-    if (!out_.flush()) lost_.fetch_add(written - flushed_, std::memory_order_relaxed);
-    flushed_ = written;
+    taken_ = taken_ && file_.append(lines.str());
+    if (!taken_) lost_.fetch_add(written - before, std::memory_order_relaxed);
   }
 
-  std::ofstream out_;
+  suture::LineFile file_;
   // The entries are reused in turn; the counts never wrap. Only the pushing thread writes pushed_,
   // only the writing one written_.
   std::vector<Row> ring_;
   std::atomic<std::size_t> pushed_{0};
   std::atomic<std::size_t> written_{0};
-  std::size_t flushed_ = 0;  // of those written, as the writing thread knows
+  std::atomic<bool> begun_{false};
+  bool taken_ = true;  // the file system has taken all so far
   std::atomic<std::uint64_t> lost_{0};
 };
 

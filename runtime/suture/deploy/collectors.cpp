@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <system_error>
 
 namespace suture {
 namespace {
@@ -44,8 +45,13 @@ Parameters parametersFrom(const JsonReader& in, bool states) {
   return values;
 }
 
-std::filesystem::path fileOf(const Deployment& deployment, const std::string& file) {
-  return deployment.besideIt(file).lexically_normal();
+/// Returns what two spellings of one path have in common. A path without a place in the file
+/// system, as that of a pipe, stays as it is.
+std::filesystem::path placeOf(const std::filesystem::path& file) {
+  std::error_code failed;
+  const std::filesystem::path whole = std::filesystem::absolute(file, failed);
+  std::filesystem::path place = std::filesystem::weakly_canonical(whole, failed);
+  return failed ? file.lexically_normal() : place;
 }
 
 /// Returns what `component` provides as `name`, or what its manager will provide for it.
@@ -84,12 +90,20 @@ void Collectors::checkFiles(const Deployment& deployment,
       const auto file = entry.parameters.find("file");
       if (!isCollector(entry) || file == entry.parameters.end() || !file->is_string()) continue;
       const std::string pointer = entry.pointer + "/parameters/file";
-      const auto [other, added] =
-          first.emplace(fileOf(deployment, file->get<std::string>()), Use{&process, pointer});
+      const std::string& name = file->get_ref<const std::string&>();
+      const std::filesystem::path place = placeOf(deployment.besideIt(name));
+      if (place == placeOf(deployment.document().name())) {
+        problems.push_back(deployment.document().locate(
+            pointer, "'" + name +
+                         "' is this deployment file itself, which a recording would replace; "
+                         "name another file"));
+        continue;
+      }
+      const auto [other, added] = first.emplace(place, Use{&process, pointer});
       if (added || other->second.process == &process) continue;
       problems.push_back(deployment.document().locate(
-          pointer, "'" + file->get<std::string>() + "' is written by process '" +
-                       other->second.process->name + "' already, on line " +
+          pointer, "'" + name + "' is written by process '" + other->second.process->name +
+                       "' already, on line " +
                        std::to_string(deployment.document().lineOf(other->second.pointer)) +
                        "; only collectors of one process may share a file: name another one"));
     }
@@ -164,8 +178,8 @@ std::unique_ptr<Component> Collectors::create(const std::string& className,
 }
 
 std::shared_ptr<Sink> Collectors::sink(const std::string& file) {
-  const std::filesystem::path path = fileOf(deployment_, file);
-  std::shared_ptr<Sink>& known = files_[path];
+  const std::filesystem::path path = deployment_.besideIt(file);
+  std::shared_ptr<Sink>& known = files_[placeOf(path)];
   if (known == nullptr) known = std::make_shared<JsonLines>(path);
   return known;
 }

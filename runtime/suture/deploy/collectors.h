@@ -29,7 +29,8 @@ class Collectors {
       : deployment_(deployment), process_(process) {}
 
   static bool offers(std::string_view className);
-  /// Adds a problem for each collector that writes to a file of another process's collector.
+  /// Adds a problem for each collector that writes to a file of another process's collector, or to
+  /// the deployment itself.
   static void checkFiles(const Deployment& deployment,
                          const std::function<bool(const ComponentEntry&)>& isCollector,
                          std::vector<std::string>& problems);
@@ -50,7 +51,7 @@ class Collectors {
 
   const Deployment& deployment_;
   const ProcessEntry& process_;
-  std::map<std::filesystem::path, std::shared_ptr<Sink>> files_;  // several may share one
+  std::map<std::filesystem::path, std::shared_ptr<Sink>> files_;  // by place; several may share one
 };
 
 }  // namespace suture

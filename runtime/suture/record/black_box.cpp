@@ -109,6 +109,7 @@ void BlackBox::look(Watched& watched) {
 void BlackBox::write(const Component& component, std::uint64_t first, std::uint64_t last,
                      const std::string& reason, const std::filesystem::path& file) const {
   JsonLines lines(file);
+  lines.begin();
   lines.faults(component.name(), first, last, reason);
   const Time since = now() - options_.last;
   for (ProvidedBase* provided : component.provided()) Rows(*provided).write(since, lines);

@@ -48,6 +48,8 @@ class EventCollector final : public EventTask {
   class Source;
 
   void run() override;
+  void onConfigure() override { sink_.begin(); }
+  void onStart() override { sink_.settle(); }
   void onStop() override;
   void follow();
   void collect(std::uint16_t event, Time stamp, const std::byte* slot);

@@ -7,11 +7,16 @@
 #include <suture/wire/json/to_json.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace suture {
 namespace {
+
+// Bounds the memory of a recording that is not settled for long.
+constexpr std::size_t kMostWaiting = 65536;
 
 // Returns the key of a read. The keys that a row has itself, and those that tell the other lines
 // from a row, must keep their meaning.
@@ -48,16 +53,15 @@ Json payloadOf(const InterfaceInfo& contract, std::uint16_t event, const std::by
 
 }  // namespace
 
-JsonLines::JsonLines(const std::filesystem::path& file) : file_(file), out_(file, std::ios::trunc) {
-  if (!out_) {
-    throw SetupError("recording to " + file.string(), "the file cannot be written",
-                     "Name a file in an existing folder that you may write to");
-  }
+void JsonLines::begin() {
+  const std::lock_guard lock(mutex_);
+  file_.take();
 }
 
 void JsonLines::write(const Json& line) {
   // Text that is not UTF-8 came from a component, and must not end a recording.
-  out_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  waiting_ += line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  if (waiting_.size() > kMostWaiting) whole_ = put() && whole_;
 }
 
 void JsonLines::row(const CollectedInterface& from, std::uint64_t number, Time stamp,
@@ -95,13 +99,19 @@ void JsonLines::faults(const std::string& component, std::uint64_t first, std::u
 
 void JsonLines::settle() {
   if (flush()) return;
-  throw SetupError("recording to " + file_.string(), "the file system did not take all of it",
-                   "Make room there");
+  throw SetupError("recording to " + file_.path().string(),
+                   "the file system did not take all of it", "Make room there");
 }
 
 bool JsonLines::flush() {
   const std::lock_guard lock(mutex_);
-  return static_cast<bool>(out_.flush());
+  return std::exchange(whole_, true) && put();
+}
+
+bool JsonLines::put() {
+  const bool taken = file_.append(waiting_);
+  waiting_.clear();
+  return taken;
 }
 
 }  // namespace suture

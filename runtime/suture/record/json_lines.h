@@ -1,10 +1,10 @@
 #pragma once
 // This is a sink that writes one JSON object to each line.
 
+#include <suture/base/line_file.h>
 #include <suture/record/sink.h>
 
 #include <filesystem>
-#include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -21,8 +21,12 @@ namespace suture {
 /// these lines, such as "row", is called "read.row". Stamps are ns of this machine's steady clock.
 class JsonLines final : public Sink {
  public:
-  /// Replaces the file. Throws SetupError if it cannot be written.
-  explicit JsonLines(const std::filesystem::path& file);
+  /// Changes nothing. Throws SetupError if the file cannot be written.
+  explicit JsonLines(const std::filesystem::path& file) : file_(file) {}
+
+  /// Takes the file, and leaves what it holds until something is brought into it. Throws SetupError
+  /// if another recording has it.
+  void begin() override;
 
   void row(const CollectedInterface& from, std::uint64_t number, Time stamp,
            std::span<const CollectedValue> values) override;
@@ -43,9 +47,12 @@ class JsonLines final : public Sink {
  private:
   void write(const nlohmann::ordered_json& line);
 
-  const std::filesystem::path file_;
+  bool put();
+
   std::mutex mutex_;  // locked only by the threads of collectors
-  std::ofstream out_;
+  LineFile file_;
+  std::string waiting_;  // whole lines that are not in the file yet
+  bool whole_ = true;    // the file system has taken all before them since the last flush()
 };
 
 }  // namespace suture

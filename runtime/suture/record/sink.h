@@ -30,6 +30,11 @@ class Sink {
  public:
   virtual ~Sink() = default;
 
+  /// The thread that configures a collector, before the collector's own begins: takes what this
+  /// writes to. What it throws refuses the start; nothing that was there before may be lost until
+  /// the first settle().
+  virtual void begin() {}
+
   /// Takes a row of state. `number` counts the rows of its table, from 1. The slots live until this
   /// returns.
   virtual void row(const CollectedInterface& from, std::uint64_t number, Time stamp,
@@ -41,8 +46,8 @@ class Sink {
   /// Is told that `count` rows or events have been lost at this place, because they came faster
   /// than they were taken.
   virtual void missed(const CollectedInterface& from, std::uint64_t count) = 0;
-  /// Is told that the collector has nothing more at present, so what waits for more may be written
-  /// or sent.
+  /// Is told when the collector starts, and then whenever it has nothing more at present, so what
+  /// waits for more may be written or sent.
   virtual void settle() {}
 };
 

@@ -59,6 +59,8 @@ class StateCollector final : public PeriodicTask {
   class Source;
 
   void run() override;
+  void onConfigure() override { sink_.begin(); }
+  void onStart() override { sink_.settle(); }
   void onStop() override;
   void begin();
   void takeRows();

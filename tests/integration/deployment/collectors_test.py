@@ -61,6 +61,12 @@ class Collectors(unittest.TestCase):
             self.assertLess(time.monotonic(), deadline, (lines[-3:], self.told()))
             time.sleep(0.02)
 
+    def await_size(self, size):
+        deadline = time.monotonic() + 30
+        while self.file.stat().st_size < size:
+            self.assertLess(time.monotonic(), deadline, self.told())
+            time.sleep(0.02)
+
     def end(self, station):
         station.terminate()
         station.communicate(timeout=60)
@@ -99,6 +105,18 @@ class Collectors(unittest.TestCase):
                 self.assertEqual(line["row"] - before["row"], missed + 1)
                 self.assertEqual(line["angle"] - before["angle"], missed + 1)
             before, missed = line, 0
+
+    def test_a_second_start_leaves_the_recording_alone(self):
+        self.start(10**9, [(component("Rows", "StateCollector", file="spindle.jsonl"), "Turntable")])
+        self.await_collected(lambda line: "row" in line)
+        second = subprocess.run([PROGRAM, "--deployment", self.folder / "d.json"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(second.returncode, 1)
+        self.assertIn("another recording is being written to it", second.stderr)
+        # What the first writes meanwhile lies behind what it had.
+        before = self.file.stat().st_size
+        self.await_size(before + 1)
+        self.assertNotIn("\0", self.file.read_text())
+        self.assertEqual(self.collected()[0]["from"], "Rows")
 
     def test_reports_are_there_for_people_too(self):
         station = self.start(20, [(component("Rows", "StateCollector", file="spindle.jsonl"), "Turntable")],

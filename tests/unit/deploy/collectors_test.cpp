@@ -6,12 +6,14 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "reference/simulated_arm.suture.h"
 #include "support/eventually.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -139,6 +141,81 @@ TEST(DeployedCollectors, MistakesAreNamed) {
                   .starts_with("d.json:2: error: parameters of 'Log' (StateCollector): "));
   EXPECT_TRUE(problemOf(logOf("StateCollector", R"({"file": "/nowhere/a.jsonl"})"), "PSM/Arm")
                   .ends_with("Name a file in an existing folder that you may write to"));
+}
+
+TEST(DeployedCollectors, AStartThatIsRefusedLeavesTheFile) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("arm.jsonl");
+  std::ofstream(file) << "{\"kept\": 1}\n";
+  const Deployment wrong = deploymentOf(
+      directory.file(""),
+      logOf("StateCollector", R"({"file": "arm.jsonl"})") +
+          R"(, {"name": "Other", "class": "StateCollector", "parameters": {"file": "b.jsonl"}})",
+      "PSM/Arm");
+  EXPECT_THROW(Host(wrong, "all", kClasses), DocumentError);
+  EXPECT_EQ(linesOf(file).size(), 1u);
+  EXPECT_FALSE(std::filesystem::exists(directory.file("b.jsonl")));
+  const Deployment sound = everySecondState(directory.file(""));
+  { const Host neverStarted(sound, "all", kClasses); }
+  EXPECT_EQ(linesOf(file).size(), 1u);
+}
+
+TEST(DeployedCollectors, ARecordingThatIsBeingWrittenIsLeftAlone) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("arm.jsonl");
+  const Deployment deployment = everySecondState(directory.file(""));
+  {
+    Host first(deployment, "all", kClasses);
+    first.start();
+    ASSERT_TRUE(eventually([&] { return std::filesystem::file_size(file) > 0; }));
+    Host second(deployment, "all", kClasses);
+    const std::string told = refusal([&] { second.start(); });
+    EXPECT_NE(told.find("d.json:2: error: component 'Log' of class 'StateCollector' cannot be "
+                        "configured: recording to "),
+              std::string::npos)
+        << told;
+    EXPECT_NE(told.find("another recording is being written to it"), std::string::npos) << told;
+    const auto size = std::filesystem::file_size(file);
+    EXPECT_TRUE(eventually([&] { return std::filesystem::file_size(file) > size; }));
+  }
+  EXPECT_EQ(linesOf(file).front().at("from"), "Log");
+}
+
+/// What is in the file of two collectors that spell it differently is whole.
+TEST(DeployedCollectors, AFileMayBeSpelledDifferently) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("arm.jsonl");
+  std::filesystem::create_symlink(directory.file(""), directory.file("also"));
+  const Deployment deployment(JsonDocument::parse(
+      R"({"processes": [{"name": "all", "components": [
+            {"name": "PSM", "class": "SimulatedArm"},
+            {"name": "A", "class": "EventCollector", "parameters": {"file": "also/arm.jsonl"}},
+            {"name": "B", "class": "EventCollector", "parameters": {"file": ")" +
+          file + R"("}}]}],
+          "connections": [{"from": "A/Source", "to": "PSM/component"},
+                          {"from": "B/Source", "to": "PSM/component"}]})",
+      directory.file("d.json")));
+  {
+    Host host(deployment, "all", kClasses);
+    host.start();
+    EXPECT_TRUE(eventually([&] { return linesOf(file).size() == 2; }));
+  }
+  std::map<std::string, int> lines;
+  for (const auto& line : linesOf(file)) ++lines[line.at("from")];
+  EXPECT_EQ(lines, (std::map<std::string, int>{{"A", 2}, {"B", 2}}));  // Running and Stopped
+}
+
+TEST(DeployedCollectors, TheDeploymentIsNoRecording) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory.file("d.json")) << "{}";
+  const Deployment deployment = deploymentOf(
+      directory.file(""), logOf("StateCollector", R"({"file": "./d.json"})"), "PSM/Arm");
+  const std::string told = refusal([&] { Host(deployment, "all", kClasses); });
+  EXPECT_TRUE(
+      told.ends_with("d.json:2: error: './d.json' is this deployment file itself, which a "
+                     "recording would replace; name another file"))
+      << told;
+  EXPECT_EQ(std::filesystem::file_size(directory.file("d.json")), 2u);
 }
 
 TEST(DeployedCollectors, AnotherProcessHasItsOwn) {

@@ -26,6 +26,7 @@ TEST(JsonLines, WritesOneObjectALine) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("run.jsonl");
   JsonLines sink(file);
+  sink.begin();
   const CollectedInterface from{"Collector", interfaceInfo<robots::Arm>()};
 
   robots::PoseStamped pose;
@@ -73,6 +74,7 @@ TEST(JsonLines, EventValuesAreNamed) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("run.jsonl");
   JsonLines sink(file);
+  sink.begin();
   const CollectedInterface from{"Collector", interfaceInfo<reference::ArmLike>()};
   reference::ArmLikeMovedPayload moved{};
   moved.value2 = 1.5;
@@ -98,6 +100,7 @@ TEST(JsonLines, AReadAvoidsTheLinesOwnKeys) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("run.jsonl");
   JsonLines sink(file);
+  sink.begin();
   const CollectedValue values[] = {{static_cast<std::uint16_t>(read), nullptr},
                                    {static_cast<std::uint16_t>(other), nullptr}};
   sink.row({"Collector", contract}, 17, fromNanoseconds(6), values);

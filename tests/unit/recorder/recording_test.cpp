@@ -28,6 +28,11 @@ class RecordingTest : public testing::Test {
   const std::filesystem::path file_ = folder_.file("recording.jsonl");
 };
 
+void begin(RecordingWriter<Record>& writer) {
+  writer.take();
+  writer.begin();
+}
+
 Eigen::Isometry3d somePose() {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Eigen::Vector3d(0.1, 1.0 / 3, -1e-9);
@@ -39,6 +44,7 @@ TEST_F(RecordingTest, ReadsBackWhatWasPushed) {
   constexpr std::int64_t kRows = 1000;
   {
     RecordingWriter<Record> writer(file_, kRecords);
+    begin(writer);
     ASSERT_TRUE(writer.push(FollowAnchors{.master_stamp = suture::fromNanoseconds(5),
                                           .master = somePose(),
                                           .slave_setpoint = somePose().inverse(),
@@ -103,6 +109,7 @@ TEST_F(RecordingTest, IsReadWhileItIsWritten) {
 TEST_F(RecordingTest, NamesFileAndLineOfABrokenRecording) {
   {
     RecordingWriter<Record> writer(file_, kRecords);
+    begin(writer);
     writer.push(ArmRow{});
   }
   std::ofstream(file_, std::ios::app) << "{\"stamp\":12";
@@ -118,10 +125,28 @@ TEST_F(RecordingTest, NamesFileAndLineOfABrokenRecording) {
 
 TEST_F(RecordingTest, CountsWhatTheDiskDoesNotTake) {
   RecordingWriter<Record> writer("/dev/full", kRecords);
+  begin(writer);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(writer.push(ArmRow{}));
   EXPECT_TRUE(suture::eventually([&] { return writer.lost() == 3; }));
   EXPECT_TRUE(writer.push(ArmRow{}));
   EXPECT_TRUE(suture::eventually([&] { return writer.lost() == 4; })) << "and what comes later";
+}
+
+TEST_F(RecordingTest, AnEarlierRecordingStaysUntilThisOneBegins) {
+  std::ofstream(file_) << "kept\n";
+  { RecordingWriter<Record> refused(file_, kRecords); }
+  {
+    RecordingWriter<Record> first(file_, kRecords), second(file_, kRecords);
+    first.take();
+    EXPECT_NE(suture::refusal([&] { second.take(); }).find("another recording is being written"),
+              std::string::npos);
+  }
+  EXPECT_EQ(std::filesystem::file_size(file_), 5u);
+  {
+    RecordingWriter<Record> writer(file_, kRecords);
+    begin(writer);
+  }
+  EXPECT_EQ(std::filesystem::file_size(file_), 0u);
 }
 
 TEST_F(RecordingTest, RefusesFilesItCannotUse) {

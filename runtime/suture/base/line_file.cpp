@@ -1,0 +1,72 @@
+#include <fcntl.h>
+#include <suture/base/errors.h>
+#include <suture/base/line_file.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <system_error>
+#include <utility>
+
+namespace suture {
+namespace {
+
+constexpr mode_t kRights = 0666;  // the user's mask takes some away
+
+bool mayBeWritten(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored)) {
+    return !std::filesystem::is_directory(file, ignored) && access(file.c_str(), W_OK) == 0;
+  }
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  return file.has_filename() && std::filesystem::is_directory(folder, ignored) &&
+         access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
+SetupError cannotBeWritten(const std::filesystem::path& file) {
+  return SetupError("recording to " + file.string(), "the file cannot be written",
+                    "Name a file in an existing folder that you may write to");
+}
+
+}  // namespace
+
+LineFile::LineFile(std::filesystem::path file) : file_(std::move(file)) {
+  if (!mayBeWritten(file_)) throw cannotBeWritten(file_);
+}
+
+LineFile::~LineFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+// A file system that knows no locks is used without one.
+void LineFile::take() {
+  if (descriptor_ >= 0) return;
+  descriptor_ = open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kRights);
+  if (descriptor_ < 0) throw cannotBeWritten(file_);
+  struct stat status {};
+  regular_ = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+  if (!regular_ || flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(std::exchange(descriptor_, -1));
+  throw SetupError("recording to " + file_.string(), "another recording is being written to it",
+                   "End the process that writes it, or name another file");
+}
+
+bool LineFile::append(std::string_view lines) {
+  if (descriptor_ < 0) return false;
+  if (!replaced_) replaced_ = !regular_ || ftruncate(descriptor_, 0) == 0;
+  return replaced_ && writeAll(lines);
+}
+
+bool LineFile::writeAll(std::string_view lines) const {
+  while (!lines.empty()) {
+    const ssize_t taken = write(descriptor_, lines.data(), lines.size());
+    if (taken < 0 && errno == EINTR) continue;
+    if (taken <= 0) return false;
+    lines.remove_prefix(static_cast<std::size_t>(taken));
+  }
+  return true;
+}
+
+}  // namespace suture

@@ -1,0 +1,35 @@
+#pragma once
+// This is a file that one recording at a time fills with lines.
+
+#include <filesystem>
+#include <string_view>
+
+namespace suture {
+
+/// Is used by one thread at a time. A start that is refused must not cost an earlier recording, so
+/// the file stays as it was until the first append(), which replaces it.
+class LineFile {
+ public:
+  /// Changes nothing. Throws SetupError if the file cannot be written.
+  explicit LineFile(std::filesystem::path file);
+  ~LineFile();
+  LineFile(const LineFile&) = delete;
+  LineFile& operator=(const LineFile&) = delete;
+
+  const std::filesystem::path& path() const { return file_; }
+  /// Before append(): opens the file, which no other LineFile may have then. Does nothing when it
+  /// is called again. Throws SetupError.
+  void take();
+  /// Returns false if the file system did not take all of it.
+  bool append(std::string_view lines);
+
+ private:
+  bool writeAll(std::string_view lines) const;
+
+  const std::filesystem::path file_;
+  int descriptor_ = -1;
+  bool regular_ = false;   // no device or pipe, which others may use too
+  bool replaced_ = false;  // what it had before is gone
+};
+
+}  // namespace suture
