@@ -1,10 +1,22 @@
+#include <suture/base/errors.h>
 #include <suture/component/channel/channel.h>
 #include <suture/record/state_collector.h>
 #include <suture/rt/state/state_table.h>
 
 #include <algorithm>
+#include <string>
 
 namespace suture {
+
+namespace {
+
+Duration positive(Duration period) {
+  if (period > Duration{0}) return period;
+  throw SetupError("a collector", "a period of " + std::to_string(period.count()) + " ns",
+                   "Give a period greater than zero");
+}
+
+}  // namespace
 
 /// Is what the collector looks at, of any contract.
 class StateCollector::Source final : public RequiredBase {
@@ -35,7 +47,7 @@ class StateCollector::Source final : public RequiredBase {
 
 StateCollector::StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options,
                                Sink& sink)
-    : PeriodicTask({.period = options.period, .scheduling = options.scheduling}),
+    : EventTask({.scheduling = options.scheduling, .longestSleep = positive(options.period)}),
       reads_(readsOf(contract, options.reads)),
       collection_(options.interval, options.collecting),
       sink_(sink),
@@ -60,6 +72,16 @@ StateCollector::StateCollector(const InterfaceInfo& contract, const StateCollect
 }
 
 StateCollector::~StateCollector() { stop(); }
+
+void StateCollector::startCollecting() {
+  collection_.switchTo(true);
+  doorbell().ring();
+}
+
+void StateCollector::stopCollecting() {
+  collection_.switchTo(false);
+  doorbell().ring();
+}
 
 void StateCollector::run() {
   const bool wanted = collection_.wanted();

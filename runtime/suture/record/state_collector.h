@@ -2,7 +2,7 @@
 // This records the rows of another component's state.
 
 #include <suture/component/required.h>
-#include <suture/component/task/periodic_task.h>
+#include <suture/component/task/event_task.h>
 #include <suture/record/collection.h>
 #include <suture/record/collector_port.h>
 #include <suture/record/sink.h>
@@ -21,7 +21,8 @@ namespace suture {
 struct StateCollectorOptions {
   std::vector<std::string> reads = {};  ///< names of read commands; empty: all
   CollectingInterval interval = {};
-  /// Is how often it looks. The provider must keep more rows than it publishes meanwhile
+  /// Is the longest time between two looks; it also looks when it is connected or given a command.
+  /// The provider must keep more rows than it publishes meanwhile
   /// (ProvidedBase::keepState), or rows are missed.
   Duration period = std::chrono::milliseconds(10);
   bool collecting = true;  ///< from the start
@@ -35,10 +36,10 @@ struct StateCollectorOptions {
 ///   StateCollector collector{interfaceInfo<Arm>(), {.reads = {"measured_cp"}}, sink};
 ///   manager.add("Collector", collector);
 ///   manager.connect("Collector/Source", "PSM/Arm");
-class StateCollector final : public PeriodicTask {
+class StateCollector final : public EventTask {
  public:
   /// `sink` must outlive the last cycle. Throws SetupError for a read that the contract does not
-  /// have.
+  /// have, and for a period that is not positive.
   StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options, Sink& sink);
   /// Does the same, and keeps its sink alive.
   StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options,
@@ -47,11 +48,11 @@ class StateCollector final : public PeriodicTask {
 
   // --- any thread
 
-  /// From the collector's next cycle on, keeps the rows that are published from then on, and sets
-  /// all counts to zero.
-  void startCollecting() { collection_.switchTo(true); }
+  /// From the collector's next cycle on, which is soon, keeps the rows that are published from then
+  /// on, and sets all counts to zero.
+  void startCollecting();
   /// Makes the next cycle the last that keeps rows.
-  void stopCollecting() { collection_.switchTo(false); }
+  void stopCollecting();
   bool collecting() const { return collection_.active(); }
   CollectedCounts counts() const { return collection_.counts(); }
 

@@ -108,6 +108,24 @@ TEST_F(UntilTheEnd, TheLastRowsAreCollected) {
   EXPECT_EQ(sink_.numbers.back(), arm_.produced());
 }
 
+TEST_F(UntilTheEnd, TheFirstLookIsAtTheConnectionHoweverLongThePeriod) {
+  StateCollector collector(interfaceInfo<Lifecycle>(), {.period = 1h}, sink_);
+  begin(collector, "PSM/Arm");
+  ASSERT_TRUE(eventually([&] { return arm_.produced() > 0; }));
+  manager_.stop();
+  EXPECT_EQ(collector.counts().produced(), arm_.produced());
+  EXPECT_EQ(sink_.numbers.back(), arm_.produced());
+}
+
+TEST_F(UntilTheEnd, CollectingBeginsWhenItIsToldHoweverLongThePeriod) {
+  StateCollector collector(interfaceInfo<Lifecycle>(), {.period = 1h, .collecting = false}, sink_);
+  begin(collector, "PSM/Arm");
+  ASSERT_FALSE(collector.collecting());
+  collector.startCollecting();
+  EXPECT_TRUE(eventually([&] { return collector.collecting(); }));
+  manager_.stop();
+}
+
 TEST_F(UntilTheEnd, TheLastEventsAreCollected) {
   States states;
   EventCollector collector(interfaceInfo<Lifecycle>(), {}, states);

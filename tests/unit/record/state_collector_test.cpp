@@ -12,6 +12,7 @@
 #include "reference/arm_like.suture.h"
 #include "reference/simulated_arm.h"
 #include "support/eventually.h"
+#include "support/refusal.h"
 #include "unit/record/counting_sink.h"
 
 namespace suture {
@@ -158,6 +159,9 @@ TEST(StateCollector, RefusesAReadThatIsNotThere) {
   }
   EXPECT_THROW(StateCollector(interfaceInfo<ArmLike>(), {.interval = {.every = 0}}, sink),
                SetupError);
+  EXPECT_EQ(
+      refusal([&] { StateCollector(interfaceInfo<ArmLike>(), {.period = Duration{0}}, sink); }),
+      "a collector: a period of 0 ns. Give a period greater than zero");
 }
 
 struct FullDisk final : Sink {
