@@ -37,12 +37,6 @@ std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentC
          listNames(offered) + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
-// Returns false while it is between a fault and a restart.
-bool faultedForGood(const Component& component) {
-  if (component.state() != ComponentState::Faulted) return false;
-  return !component.ownsThread() || static_cast<const Task&>(component).staysFaulted();
-}
-
 /// `why` has, by the name of each connection, what its client's end was told: "closed: ...".
 std::string lossText(const std::map<std::string, std::string>& why, const std::string& name) {
   const auto told = why.find(name);
@@ -211,6 +205,17 @@ void Host::start() {
   }
 }
 
+void Host::stop() {
+  manager_->stop();
+  stopped_ = true;
+}
+
+// Returns false while it is between a fault and a restart.
+bool Host::faultedForGood(const Component& component) const {
+  if (component.state() != ComponentState::Faulted) return false;
+  return stopped_ || !component.ownsThread() || static_cast<const Task&>(component).staysFaulted();
+}
+
 std::vector<std::string> Host::componentNames() const {
   std::vector<std::string> names;
   for (const ComponentEntry& entry : process_.components) names.push_back(entry.name);
@@ -232,6 +237,7 @@ std::vector<std::string> Host::news() {
 
 std::vector<Trouble> Host::troubles() const {
   std::vector<Trouble> found = componentTroubles();
+  if (stopped_) return found;
   const std::vector<Trouble> connections = connectionTroubles();
   found.insert(found.end(), connections.begin(), connections.end());
   if (const std::string address = manager_->missingGlobalManager(); !address.empty()) {

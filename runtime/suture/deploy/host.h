@@ -56,12 +56,16 @@ class Host {
   /// Any thread. Makes a start() that waits for another process throw now.
   void giveUp() { manager_->giveUp(); }
 
+  /// Stops the components, collectors last, and ends all connections. Nothing starts again.
+  void stop();
+
   const Manager& manager() const { return *manager_; }
   /// Returns the names of the components, in the order of the file.
   std::vector<std::string> componentNames() const;
 
   /// Returns connections whose far end is gone, components that are faulted for good, and a global
-  /// manager that does not answer. What has recovered is missing at the next call.
+  /// manager that does not answer. What has recovered is missing at the next call. After stop()
+  /// only the components that are faulted.
   std::vector<Trouble> troubles() const;
   /// Returns what else has happened since the last call, a line each: what the machine does not
   /// grant, restarts after faults, files of the black box, messages.
@@ -81,12 +85,14 @@ class Host {
   Security security() const;
   void announceConnections();
   void configure();
+  bool faultedForGood(const Component& component) const;
   std::vector<Trouble> componentTroubles() const;
   std::vector<Trouble> connectionTroubles() const;
 
   const Deployment& deployment_;
   const ProcessEntry& process_;
   const Duration patience_;
+  bool stopped_ = false;
   RealTime realTime_{deployment_.document(), process_};       // locks what comes after it, too
   std::map<std::filesystem::path, SharedLibrary> libraries_;  // outlive what they contain
   Collectors collectors_{deployment_, process_};

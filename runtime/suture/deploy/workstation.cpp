@@ -131,6 +131,8 @@ class Run {
     watch(true);
     reports_.flush(kLastWords);
     reports_.report(observe(host_.manager(), began_));
+    host_.stop();
+    watchTheStop();
     reports_.flush(kLastWords);
     tellOfReports();
     const bool failed =
@@ -146,7 +148,6 @@ class Run {
     Time seen;
   };
 
-  // While this process ends, losses due to other processes are no news.
   void watch(bool ending = false) {
     for (const std::string& line : host_.news()) tell(line);
     const std::vector<Trouble> present = host_.troubles();
@@ -157,6 +158,18 @@ class Run {
       if (!stays) tell(one.trouble.subject + " is there again");
       return !stays;
     });
+    notice(present, ending);
+  }
+
+  // What a component does last may fail too: the disk of a collector may be full. Connections end
+  // now, which is no recovery of those that were lost.
+  void watchTheStop() {
+    for (const std::string& line : host_.news()) tell(line);
+    notice(host_.troubles(), true);
+  }
+
+  // While this process ends, losses due to other processes are no news.
+  void notice(const std::vector<Trouble>& present, bool ending) {
     for (const Trouble& trouble : present) {
       const bool old = std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
         return one.trouble.subject == trouble.subject;

@@ -118,6 +118,26 @@ class Collectors(unittest.TestCase):
         self.assertNotIn("\0", self.file.read_text())
         self.assertEqual(self.collected()[0]["from"], "Rows")
 
+    def test_a_disk_that_is_full_at_the_last_look_is_told(self):
+        # It looks at the connection, when there is nothing yet, and not again before the end.
+        station = self.start(10**9, [(component("Rows", "StateCollector", file="/dev/full", period=3600), "Turntable")])
+        begun = None
+        for line in station.stdout:
+            report = json.loads(line)
+            cycles = {task["name"]: task["cycles"] for task in report.get("tasks", [])}
+            if begun is None and cycles.get("Rows", 0) > 0:
+                begun = cycles["Spindle"]
+            if begun is not None and cycles.get("Spindle", 0) > begun + 1:
+                break
+        station.terminate()
+        rest, _ = station.communicate(timeout=60)
+        self.assertEqual(station.returncode, 1, self.told())
+        parked = "component 'robot:Rows' is parked, its code threw: recording to /dev/full: the file system did not take all of it"
+        self.assertIn(parked, self.told())
+        failures = [line for line in map(json.loads, rest.splitlines()) if line["kind"] == "failure"]
+        self.assertEqual(len(failures), 1, failures)
+        self.assertIn(parked, json.dumps(failures[0]))
+
     def test_reports_are_there_for_people_too(self):
         station = self.start(20, [(component("Rows", "StateCollector", file="spindle.jsonl"), "Turntable")],
                              "--report-form", "text")
