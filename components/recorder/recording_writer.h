@@ -57,8 +57,7 @@ class RecordingWriter final : private suture::PeriodicTask {
   }
 
   /// Any thread. Returns how many rows are not in the file, because it was too far behind, or
-  /// because the file system did not take them. After the first row that it did not take, it gets
-  /// no more.
+  /// because the file system did not take all of those that came within a twentieth of a second.
   std::uint64_t lost() const { return lost_.load(std::memory_order_relaxed); }
 
  private:
@@ -72,8 +71,7 @@ class RecordingWriter final : private suture::PeriodicTask {
       write(lines, ring_[written % ring_.size()]);
       written_.store(++written, std::memory_order_release);
     }
-    taken_ = taken_ && file_.append(lines.str());
-    if (!taken_) lost_.fetch_add(written - before, std::memory_order_relaxed);
+    if (!file_.append(lines.str())) lost_.fetch_add(written - before, std::memory_order_relaxed);
   }
 
   suture::LineFile file_;
@@ -83,7 +81,6 @@ class RecordingWriter final : private suture::PeriodicTask {
   std::atomic<std::size_t> pushed_{0};
   std::atomic<std::size_t> written_{0};
   std::atomic<bool> begun_{false};
-  bool taken_ = true;  // the file system has taken all so far
   std::atomic<std::uint64_t> lost_{0};
 };
 

@@ -125,16 +125,15 @@ constexpr char kCollectingDescription[] = R"json(
 "doc": "between the stamps of two", "type": {"kind": "duration", "period": "1/1000000000"},
 "default": 0.0}]}, {"name": "suture::CollectedCounts",
 "doc": "Says what became of the rows or events of a time of collecting. Once the collector has caught up\nwith its provider, the three add up to what was produced.",
-"fields": [{"name": "collected", "doc": "passed to the sink", "type": {"kind": "UInt64"},
+"fields": [{"name": "collected", "doc": "passed to the sink, and kept", "type": {"kind": "UInt64"},
 "default": 0}, {"name": "passedOver",
 "doc": "left out on purpose, between two that the interval asks for", "type": {"kind": "UInt64"},
-"default": 0}, {"name": "missed",
-"doc": "lost: overwritten or dropped before the collector came to them", "type": {"kind": "UInt64"
-}, "default": 0}]}], "wire": [{"id": "@0xe3eaf7ddf2538295", "kind": "interface",
-"name": "Collecting", "cxx": "suture::Collecting", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xe8cbe73a9ddc44ad"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "startCollecting", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"default": 0}, {"name": "missed", "doc": "lost: overwritten before the collector came, or not kept",
+"type": {"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0xe3eaf7ddf2538295",
+"kind": "interface", "name": "Collecting", "cxx": "suture::Collecting", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xe8cbe73a9ddc44ad"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "startCollecting", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "stopCollecting", "is": "kind \"void\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
 "name": "setInterval", "is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "interval",

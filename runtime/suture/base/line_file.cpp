@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 namespace suture {
@@ -56,7 +57,12 @@ void LineFile::take() {
 bool LineFile::append(std::string_view lines) {
   if (descriptor_ < 0) return false;
   if (!replaced_) replaced_ = !regular_ || ftruncate(descriptor_, 0) == 0;
-  return replaced_ && writeAll(lines);
+  struct stat before {};
+  if (!replaced_ || fstat(descriptor_, &before) != 0) return false;
+  if (writeAll(lines)) return true;
+  // The lines that come once there is room must not follow a torn one. A device keeps nothing.
+  if (regular_) std::ignore = ftruncate(descriptor_, before.st_size);
+  return false;
 }
 
 bool LineFile::writeAll(std::string_view lines) const {

@@ -20,7 +20,8 @@ class LineFile {
   /// Before append(): opens the file, which no other LineFile may have then. Does nothing when it
   /// is called again. Throws SetupError.
   void take();
-  /// Returns false if the file system did not take all of it.
+  /// Returns false if the file system did not take all of it; then the file has none of it, and
+  /// ends with a whole line.
   bool append(std::string_view lines);
 
  private:

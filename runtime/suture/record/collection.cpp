@@ -81,6 +81,14 @@ bool Collection::keep(Time stamp) {
 
 void Collection::countMissed(std::uint64_t count) { add(missed_, count); }
 
+// It may be told of what it has lost after a new count has begun.
+void Collection::countNotKept(std::uint64_t count) {
+  const std::uint64_t collected = collected_.load(std::memory_order_relaxed);
+  const std::uint64_t counted = std::min(count, collected);
+  collected_.store(collected - counted, std::memory_order_relaxed);
+  add(missed_, counted);
+}
+
 std::vector<std::uint16_t> readsOf(const InterfaceInfo& contract,
                                    const std::vector<std::string>& names) {
   return numbersOf(contract.name, "the read", contract.commands, names,

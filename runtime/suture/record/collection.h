@@ -36,6 +36,8 @@ class Collection {
   /// Returns true if what has this stamp is to be kept. Counts it as collected or passed over.
   bool keep(Time stamp);
   void countMissed(std::uint64_t count);
+  /// Counts as missed what was counted as collected, and has not been kept.
+  void countNotKept(std::uint64_t count);
 
  private:
   CollectingInterval interval_;

@@ -46,9 +46,15 @@ void EventCollector::stopCollecting() {
   doorbell().ring();
 }
 
+void EventCollector::onStart() {
+  from_.collector = name();
+  settle();
+}
+
 void EventCollector::run() {
   follow();
-  if (std::exchange(unsettled_, false)) sink_.settle();
+  tellMissed();
+  if (std::exchange(unsettled_, false)) settle();
 }
 
 // Takes what has arrived by the end, even while the collector was suspended.
@@ -67,7 +73,6 @@ void EventCollector::follow() {
   }
   const bool wanted = collection_.wanted();
   if (wanted != collection_.active()) {
-    from_.collector = name();
     if (wanted && !fresh && channel_ != nullptr) droppedBefore_ = channel_->events.dropped();
     collection_.setActive(wanted);
   }
@@ -77,6 +82,7 @@ void EventCollector::follow() {
 void EventCollector::collect(std::uint16_t event, Time stamp, const std::byte* slot) {
   follow();
   if (!collection_.active() || !collection_.keep(stamp)) return;
+  tellMissed();
   sink_.event(from_, event, stamp, slot);
   unsettled_ = true;
 }
@@ -86,9 +92,24 @@ void EventCollector::noticeDropped() {
   const std::uint64_t dropped = channel_->events.dropped();
   if (dropped == droppedBefore_) return;
   collection_.countMissed(dropped - droppedBefore_);
-  sink_.missed(from_, dropped - droppedBefore_);
-  unsettled_ = true;
+  unreported_ += dropped - droppedBefore_;
   droppedBefore_ = dropped;
+}
+
+void EventCollector::tellMissed() {
+  if (unreported_ == 0) return;
+  sink_.missed(from_, std::exchange(unreported_, 0));
+  unsettled_ = true;
+}
+
+void EventCollector::settle() {
+  try {
+    sink_.settle(from_);
+  } catch (const NotKept& why) {
+    collection_.countNotKept(why.collected());
+    unreported_ += why.collected() + why.missed();
+    throw;
+  }
 }
 
 }  // namespace suture

@@ -49,11 +49,13 @@ class EventCollector final : public EventTask {
 
   void run() override;
   void onConfigure() override { sink_.begin(); }
-  void onStart() override { sink_.settle(); }
+  void onStart() override;
   void onStop() override;
   void follow();
   void collect(std::uint16_t event, Time stamp, const std::byte* slot);
   void noticeDropped();
+  void tellMissed();
+  void settle();
 
   std::shared_ptr<Sink> ownSink_;  // or null
   Collection collection_;
@@ -63,6 +65,7 @@ class EventCollector final : public EventTask {
   CollectedInterface from_;
   std::shared_ptr<Channel> channel_;
   bool unsettled_ = false;           // the sink has been given something
+  std::uint64_t unreported_ = 0;     // missed events that the sink has not been told of
   std::uint64_t droppedBefore_ = 0;  // how many of channel_ have been counted
 };
 

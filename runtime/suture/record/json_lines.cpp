@@ -58,10 +58,19 @@ void JsonLines::begin() {
   file_.take();
 }
 
-void JsonLines::write(const Json& line) {
+// A collector that does not know yet what it has lost can tell of it only before what comes next.
+void JsonLines::write(const std::string& from, const Json& line, Count count) {
+  if (lost_.contains(from)) return add(lost_, from, count);
   // Text that is not UTF-8 came from a component, and must not end a recording.
   waiting_ += line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
-  if (waiting_.size() > kMostWaiting) whole_ = put() && whole_;
+  add(told_, from, count);
+  if (waiting_.size() > kMostWaiting) put();
+}
+
+void JsonLines::add(Counts& counts, const std::string& from, Count more) {
+  Count& count = counts[from];
+  count.collected += more.collected;
+  count.missed += more.missed;
 }
 
 void JsonLines::row(const CollectedInterface& from, std::uint64_t number, Time stamp,
@@ -71,7 +80,7 @@ void JsonLines::row(const CollectedInterface& from, std::uint64_t number, Time s
   for (const CollectedValue& value : values) {
     line[keyOf(from.contract.commands[value.read].name)] = readOf(from.contract, value);
   }
-  write(line);
+  write(from.collector, line, {.collected = 1});
 }
 
 void JsonLines::event(const CollectedInterface& from, std::uint16_t event, Time stamp,
@@ -83,35 +92,43 @@ void JsonLines::event(const CollectedInterface& from, std::uint16_t event, Time 
   if (from.contract.events[event].payloadSize != 0) {
     line["value"] = payloadOf(from.contract, event, slot);
   }
-  write(line);
+  write(from.collector, line, {.collected = 1});
 }
 
 void JsonLines::missed(const CollectedInterface& from, std::uint64_t count) {
   const std::lock_guard lock(mutex_);
-  write({{"from", from.collector}, {"missed", count}});
+  write(from.collector, {{"from", from.collector}, {"missed", count}}, {.missed = count});
 }
 
 void JsonLines::faults(const std::string& component, std::uint64_t first, std::uint64_t last,
                        const std::string& reason) {
   const std::lock_guard lock(mutex_);
-  write({{"from", component}, {"fault", reason}, {"first", first}, {"last", last}});
+  const Json line{{"from", component}, {"fault", reason}, {"first", first}, {"last", last}};
+  write(component, line, {});
 }
 
-void JsonLines::settle() {
-  if (flush()) return;
-  throw SetupError("recording to " + file_.path().string(),
-                   "the file system did not take all of it", "Make room there");
+void JsonLines::settle(const CollectedInterface& from) {
+  const std::lock_guard lock(mutex_);
+  put();
+  const auto lost = lost_.extract(from.collector);
+  if (lost.empty()) return;
+  throw NotKept(SetupError("recording to " + file_.path().string(),
+                           "the file system did not take all of it", "Make room there"),
+                lost.mapped().collected, lost.mapped().missed);
 }
 
 bool JsonLines::flush() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(whole_, true) && put();
+  put();
+  return std::exchange(lost_, {}).empty();
 }
 
-bool JsonLines::put() {
-  const bool taken = file_.append(waiting_);
+void JsonLines::put() {
+  const Counts told = std::exchange(told_, {});
+  if (!file_.append(waiting_)) {
+    for (const auto& [from, count] : told) add(lost_, from, count);
+  }
   waiting_.clear();
-  return taken;
 }
 
 }  // namespace suture

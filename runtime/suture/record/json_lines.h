@@ -4,7 +4,9 @@
 #include <suture/base/line_file.h>
 #include <suture/record/sink.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -38,21 +40,28 @@ class JsonLines final : public Sink {
   void faults(const std::string& component, std::uint64_t first, std::uint64_t last,
               const std::string& reason);
 
-  /// Brings what has been written so far into the file. Throws SetupError if the file system did
-  /// not take all of it.
-  void settle() override;
-  /// Does the same. Returns false if the file system did not take all of it.
+  /// Brings what has been written so far into the file. Throws NotKept if the file system did not
+  /// take something of this collector since it was called last: none of that is in the file then,
+  /// which ends with a whole line.
+  void settle(const CollectedInterface& from) override;
+  /// Does the same for all collectors. Returns false if the file system did not take all of it.
   bool flush();
 
  private:
-  void write(const nlohmann::ordered_json& line);
+  struct Count {
+    std::uint64_t collected = 0, missed = 0;
+  };
+  using Counts = std::map<std::string, Count>;  // by collector
 
-  bool put();
+  void write(const std::string& from, const nlohmann::ordered_json& line, Count count);
+  void put();
+  static void add(Counts& counts, const std::string& from, Count more);
 
   std::mutex mutex_;  // locked only by the threads of collectors
   LineFile file_;
   std::string waiting_;  // whole lines that are not in the file yet
-  bool whole_ = true;    // the file system has taken all before them since the last flush()
+  Counts told_;          // of those lines
+  Counts lost_;          // what the file system did not take, until the collector knows
 };
 
 }  // namespace suture

@@ -1,6 +1,7 @@
 #pragma once
 // Collectors put what they collect into a sink.
 
+#include <suture/base/errors.h>
 #include <suture/base/time.h>
 #include <suture/component/contract/interface_info.h>
 
@@ -21,6 +22,21 @@ struct CollectedInterface {
 struct CollectedValue {
   std::uint16_t read;     ///< the number of the read command in its contract
   const std::byte* slot;  ///< nullptr: not produced in this row, too large, or invalid
+};
+
+/// Is what a sink throws that had taken rows or events of a collector, and could not keep them. The
+/// collector then counts them as missed, and tells the sink so if it is restarted.
+class NotKept : public SetupError {
+ public:
+  /// `missed` were in lines that told of them.
+  NotKept(const SetupError& why, std::uint64_t collected, std::uint64_t missed)
+      : SetupError(why), collected_(collected), missed_(missed) {}
+
+  std::uint64_t collected() const { return collected_; }
+  std::uint64_t missed() const { return missed_; }
+
+ private:
+  const std::uint64_t collected_, missed_;
 };
 
 /// The thread of each collector that uses it calls it; one that serves several must expect calls at
@@ -47,8 +63,8 @@ class Sink {
   /// than they were taken.
   virtual void missed(const CollectedInterface& from, std::uint64_t count) = 0;
   /// Is told when the collector starts, and then whenever it has nothing more at present, so what
-  /// waits for more may be written or sent.
-  virtual void settle() {}
+  /// waits for more may be written or sent. Throws NotKept if something of it is lost.
+  virtual void settle(const CollectedInterface& /*from*/) {}
 };
 
 }  // namespace suture

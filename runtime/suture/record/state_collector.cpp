@@ -98,13 +98,17 @@ void StateCollector::run() {
   }
 }
 
+void StateCollector::onStart() {
+  from_.collector = name();
+  settle();
+}
+
 // Takes the rows that are left at the end.
 void StateCollector::onStop() { run(); }
 
 // A connection that was made anew has a table of its own, while the counts go on. Fix the row to
 // take before asking, because asking may bring about the first row at once.
 void StateCollector::begin() {
-  from_.collector = name();
   next_ = table_->rows() + 1;
   source_->ask(reads_);
   if (!collection_.active()) collection_.setActive(true);
@@ -127,7 +131,17 @@ void StateCollector::takeRows() {
     next_ = resume;
   }
   if (unreported_ > 0) sink_.missed(from_, std::exchange(unreported_, 0));
-  sink_.settle();
+  settle();
+}
+
+void StateCollector::settle() {
+  try {
+    sink_.settle(from_);
+  } catch (const NotKept& why) {
+    collection_.countNotKept(why.collected());
+    unreported_ += why.collected() + why.missed();
+    throw;
+  }
 }
 
 void StateCollector::passToSink(std::uint64_t number, Time stamp, std::uint64_t valid) {

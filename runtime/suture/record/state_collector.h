@@ -61,12 +61,13 @@ class StateCollector final : public EventTask {
 
   void run() override;
   void onConfigure() override { sink_.begin(); }
-  void onStart() override { sink_.settle(); }
+  void onStart() override;
   void onStop() override;
   void begin();
   void takeRows();
   void passToSink(std::uint64_t number, Time stamp, std::uint64_t valid);
   void countMissed(std::uint64_t rows);
+  void settle();
 
   const std::vector<std::uint16_t> reads_;
   std::shared_ptr<Sink> ownSink_;  // or null

@@ -11,9 +11,9 @@ namespace suture {
 /// Says what became of the rows or events of a time of collecting. Once the collector has caught up
 /// with its provider, the three add up to what was produced.
 struct SUTURE_TYPE() CollectedCounts {
-  std::uint64_t collected = 0;   ///< passed to the sink
+  std::uint64_t collected = 0;   ///< passed to the sink, and kept
   std::uint64_t passedOver = 0;  ///< left out on purpose, between two that the interval asks for
-  std::uint64_t missed = 0;      ///< lost: overwritten or dropped before the collector came to them
+  std::uint64_t missed = 0;      ///< lost: overwritten before the collector came, or not kept
 
   std::uint64_t produced() const { return collected + passedOver + missed; }
 };

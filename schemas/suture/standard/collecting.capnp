@@ -12,11 +12,11 @@ struct CollectedCounts @0x8130e847fbf0eac6 $Meta.cxx("suture::CollectedCounts") 
   # with its provider, the three add up to what was produced.
 
   collected @0 :UInt64;
-  # passed to the sink
+  # passed to the sink, and kept
   passedOver @1 :UInt64;
   # left out on purpose, between two that the interval asks for
   missed @2 :UInt64;
-  # lost: overwritten or dropped before the collector came to them
+  # lost: overwritten before the collector came, or not kept
 }
 
 struct CollectingInterval @0xc55fb930b38c9647 $Meta.cxx("suture::CollectingInterval") {

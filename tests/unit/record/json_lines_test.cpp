@@ -1,12 +1,23 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
+#include <suture/manager/manager.h>
+#include <suture/record/event_collector.h>
 #include <suture/record/json_lines.h>
 #include <suture/record/state_collector.h>
+#include <suture/rt/state/state_table.h>
+#include <suture/standard/lifecycle.suture.h>
+#include <sys/resource.h>
 
+#include <csignal>
+#include <filesystem>
 #include <fstream>
+#include <optional>
+#include <utility>
 
 #include "arm/arm.suture.h"
 #include "reference/arm_like.suture.h"
+#include "reference/simulated_arm.h"
+#include "support/eventually.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -110,6 +121,152 @@ TEST(JsonLines, AReadAvoidsTheLinesOwnKeys) {
                                        {"stamp", 6},
                                        {"read.row", nullptr},
                                        {"read.event", nullptr}}));
+}
+
+/// Lets no file of this process grow beyond `size`, as a disk that is full.
+class NoMoreRoom {
+ public:
+  explicit NoMoreRoom(std::uintmax_t size) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit full{size, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &full);
+  }
+  ~NoMoreRoom() { setrlimit(RLIMIT_FSIZE, &before_); }
+  NoMoreRoom(const NoMoreRoom&) = delete;
+  NoMoreRoom& operator=(const NoMoreRoom&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*const handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+};
+
+TEST(JsonLines, ADiskThatWasFullHasWholeLinesAndIsWrittenAgain) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("run.jsonl");
+  JsonLines sink(file);
+  sink.begin();
+  const CollectedInterface a{"A", interfaceInfo<robots::Arm>()}, b{"B", a.contract};
+  sink.row(a, 1, fromNanoseconds(1), {});
+  sink.settle(a);
+  sink.row(a, 2, fromNanoseconds(2), {});
+  sink.row(a, 3, fromNanoseconds(3), {});
+  sink.missed(a, 4);
+  sink.row(b, 1, fromNanoseconds(1), {});
+  try {
+    const NoMoreRoom full(std::filesystem::file_size(file) + 5);
+    sink.settle(a);
+    FAIL() << "it had no room";
+  } catch (const NotKept& why) {
+    EXPECT_EQ(why.collected(), 2u);
+    EXPECT_EQ(why.missed(), 4u);
+  }
+  EXPECT_EQ(linesOf(file).size(), 1u) << "without a torn one";
+  sink.row(a, 8, fromNanoseconds(8), {});
+  sink.settle(a);
+  EXPECT_EQ(linesOf(file).at(1).at("row"), 8);
+  try {
+    sink.row(b, 2, fromNanoseconds(2), {});
+    sink.settle(b);
+    FAIL() << "it is not told of what was lost when another settled";
+  } catch (const NotKept& why) {
+    EXPECT_EQ(why.collected(), 2u) << "in the order of B, one is lost before the other";
+  }
+  sink.row(b, 3, fromNanoseconds(3), {});
+  sink.settle(b);
+  EXPECT_EQ(linesOf(file).at(2).at("row"), 3);
+}
+
+/// Its disk is full once, at the second look with something.
+class OnceFull final : public Sink {
+ public:
+  explicit OnceFull(const std::string& file) : file_(file), lines_(file) {}
+
+  void begin() override { lines_.begin(); }
+  void row(const CollectedInterface& from, std::uint64_t number, Time stamp,
+           std::span<const CollectedValue> values) override {
+    lines_.row(from, number, stamp, values);
+    some_ = true;
+  }
+  void event(const CollectedInterface& from, std::uint16_t event, Time stamp,
+             const std::byte* slot) override {
+    lines_.event(from, event, stamp, slot);
+    some_ = true;
+  }
+  void missed(const CollectedInterface& from, std::uint64_t count) override {
+    lines_.missed(from, count);
+  }
+  void settle(const CollectedInterface& from) override {
+    std::optional<NoMoreRoom> full;
+    if (std::exchange(some_, false) && ++looks_ == 2) {
+      full.emplace(std::filesystem::file_size(file_) + 5);
+    }
+    lines_.settle(from);
+  }
+
+ private:
+  const std::string file_;
+  JsonLines lines_;
+  bool some_ = false;
+  int looks_ = 0;
+};
+
+/// What a file says was produced.
+CollectedCounts countsOf(const std::string& file) {
+  CollectedCounts counts;
+  for (const json& line : linesOf(file)) {
+    if (line.contains("missed")) {
+      counts.missed += line.at("missed").get<std::uint64_t>();
+    } else {
+      ++counts.collected;
+    }
+  }
+  return counts;
+}
+
+TEST(JsonLines, AStateCollectorIsRestartedAndLosesNothingUncounted) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("run.jsonl");
+  OnceFull sink(file);
+  reference::SimulatedArm arm{{}};
+  StateCollector collector(interfaceInfo<reference::ArmLike>(), {}, sink);
+  collector.restartAfterFaults({.most = 1, .per = std::chrono::hours(1)});
+  Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Log", collector);
+  manager.connect("Log/Source", "PSM/Arm");
+  manager.start();
+  ASSERT_TRUE(eventually([&] { return collector.faults() == 1; }));
+  const auto cycles = collector.statistics().cycles.load();
+  ASSERT_TRUE(eventually([&] { return collector.statistics().cycles > cycles + 2; }));
+  manager.stop();
+  EXPECT_EQ(collector.state(), ComponentState::Stopped);
+  EXPECT_EQ(collector.counts().produced(), arm.provided().front()->state()->rows());
+  EXPECT_GT(countsOf(file).missed, 0u);
+  EXPECT_EQ(countsOf(file).collected, collector.counts().collected);
+  EXPECT_EQ(countsOf(file).missed, collector.counts().missed);
+}
+
+TEST(JsonLines, AnEventCollectorIsRestartedAndLosesNothingUncounted) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("run.jsonl");
+  OnceFull sink(file);
+  reference::SimulatedArm arm{{}};
+  EventCollector collector(interfaceInfo<Lifecycle>(), {}, sink);
+  collector.restartAfterFaults({.most = 1, .per = std::chrono::hours(1)});
+  Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Log", collector);
+  manager.connect("Log/Source", "PSM/component");
+  manager.start();
+  ASSERT_TRUE(eventually([&] { return collector.counts().collected == 1; }));
+  manager.suspend("PSM");
+  ASSERT_TRUE(eventually([&] { return collector.faults() == 1; }));
+  manager.resume("PSM");
+  manager.stop();
+  EXPECT_EQ(countsOf(file).collected, 3u);
+  EXPECT_EQ(countsOf(file).missed, 1u);
+  EXPECT_EQ(collector.counts().collected, 3u);
+  EXPECT_EQ(collector.counts().missed, 1u);
 }
 
 TEST(JsonLines, RefusesAFileThatCannotBeWritten) {
