@@ -305,6 +305,18 @@ TEST(Deployment, ProblemsOfSeveralPlacesAreToldTogether) {
   EXPECT_EQ(problemsOf(text).size(), 3u);  // unknown, missing, unknown
 }
 
+TEST(Deployment, MistakesOfConnectionsAreToldBeforeAnythingStarts) {
+  std::string text = with("\"lane\": \"rpc\"", R"("contract": {"silence": "5ms"})");
+  text.replace(text.find("MTML/Arm\""), 9, "MTML/Arm\", \"lane_required\": true");
+  EXPECT_EQ(problemsOf(text),
+            (std::vector<std::string>{
+                "d.json:17: error: it requires a lane and names none; name one, for example "
+                "\"lane\": \"shm\", or remove lane_required",
+                "d.json:18: error: a longest silence of 5ms is too short for the heartbeats that "
+                "have to fit into it; allow at least 10ms"}));
+  EXPECT_EQ(problemsOf(with("\"lane\": \"rpc\"", R"("contract": {"silence": "10ms"})")).size(), 0u);
+}
+
 TEST(Deployment, UnknownProcess) {
   expectOnly(with("right:PSM1/Arm", "rigth:PSM1/Arm"),
              "d.json:18: error: 'rigth:PSM1/Arm' is in an unknown process 'rigth'; there are "

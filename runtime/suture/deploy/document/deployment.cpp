@@ -162,8 +162,15 @@ void Deployment::readConnections() {
 }
 
 ConnectOptions Deployment::readOptions(const json& connection, const std::string& pointer) {
-  return {.lane = laneNamed(connection.value("lane", "auto")),
-          .laneRequired = connection.value("lane_required", false),
+  const Lane lane = laneNamed(connection.value("lane", "auto"));
+  const bool required = connection.value("lane_required", false);
+  if (required && lane == Lane::Auto) {
+    report(pointer + "/lane_required",
+           "it requires a lane and names none; name one, for example \"lane\": \"shm\", or remove "
+           "lane_required");
+  }
+  return {.lane = lane,
+          .laneRequired = required,
           .delay = readDelay(connection, pointer),
           .contract = readContract(connection, pointer)};
 }
@@ -220,7 +227,22 @@ ConnectionContract Deployment::readContract(const json& connection, const std::s
           .onLoss = kFallbacks.at(given->value("on_loss", "hold")),
           .resume = given->value("resume", "automatic") == "operator" ? Resume::Operator
                                                                       : Resume::Automatic,
-          .silence = readDuration(given->value("silence", "0s"), where + "/silence")};
+          .silence = readSilence(*given, where + "/silence")};
+}
+
+// Zero stands for the silence that is usual.
+Duration Deployment::readSilence(const json& contract, const std::string& pointer) {
+  constexpr Duration kShortest = ConnectionContract::kShortestSilence;
+  const std::string text = contract.value("silence", "0s");
+  const std::size_t before = problems_.size();
+  const Duration silence = readDuration(text, pointer);
+  if (silence != Duration{0} && silence < kShortest && problems_.size() == before) {
+    report(pointer, "a longest silence of " + text +
+                        " is too short for the heartbeats that have to fit into it; allow at "
+                        "least " +
+                        std::to_string(kShortest / std::chrono::milliseconds(1)) + "ms");
+  }
+  return silence;
 }
 
 // Reads a number and its unit, which the schema has checked.

@@ -97,6 +97,7 @@ class Deployment {
   ConnectionDelay readDelay(const nlohmann::json& connection, const std::string& pointer);
   FaultPlan readFaults(const nlohmann::json& connection, const std::string& pointer);
   ConnectionContract readContract(const nlohmann::json& connection, const std::string& pointer);
+  Duration readSilence(const nlohmann::json& contract, const std::string& pointer);
   Duration readDuration(const std::string& text, const std::string& pointer,
                         Duration longest = std::chrono::seconds(60));
   /// Returns the duration at `key` of `object`, which must not be zero; `otherwise` if there is
