@@ -68,6 +68,37 @@ TEST(JsonReader, AnIntegerThatDoesNotFitIsRefused) {
   EXPECT_EQ(value, 7);
 }
 
+/// Returns the problem of reading `number` as a T, which then keeps its value.
+template <class T>
+std::string problemOf(double number) {
+  std::vector<JsonProblem> problems;
+  T value{7};
+  fromJson(JsonReader(nlohmann::json(number), "/x", problems), value);
+  if (problems.empty()) return "";
+  EXPECT_EQ(value, T{7});
+  return problems[0].text;
+}
+
+TEST(JsonReader, ADurationThatDoesNotFitIsRefused) {
+  using std::chrono::nanoseconds;
+  EXPECT_EQ(problemOf<nanoseconds>(1e12),
+            "expected a number of seconds from -9223372036 to 9223372036, found number "
+            "1000000000000.0");
+  EXPECT_NE(problemOf<nanoseconds>(-1e12), "");
+  EXPECT_NE(problemOf<nanoseconds>(9223372036.9), "");  // which is rounded to more
+  EXPECT_EQ(problemOf<nanoseconds>(9223372036), "");
+  EXPECT_EQ(problemOf<std::chrono::duration<double>>(1e12), "");
+  using Short = std::chrono::duration<std::int16_t, std::milli>;
+  EXPECT_EQ(problemOf<Short>(33), "expected a number of seconds from -32 to 32, found number 33.0");
+}
+
+TEST(JsonReader, AFloatThatDoesNotFitIsRefused) {
+  EXPECT_TRUE(problemOf<float>(1e300).starts_with("expected a number from -3.4"))
+      << problemOf<float>(1e300);
+  EXPECT_EQ(problemOf<float>(3e38), "");
+  EXPECT_EQ(problemOf<double>(1e300), "");
+}
+
 TEST(JsonReader, ComponentsAreMadeFromTheirParameters) {
   std::vector<JsonProblem> problems;
   const auto good = nlohmann::json::parse(R"({"period": 0.002})");

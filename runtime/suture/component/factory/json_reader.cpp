@@ -32,10 +32,15 @@ void JsonReader::checkRange(double lowest, double highest) const {
   } else if (json_.is_object()) {
     for (const auto& [key, value] : json_.items()) at(key).checkRange(lowest, highest);
   } else if (json_.is_number()) {
-    const double number = json_.get<double>();
-    if (number >= lowest && number <= highest) return;
-    expected("a number from " + shortest(lowest) + " to " + shortest(highest));
+    isWithin(lowest, highest, "a number");
   }
+}
+
+bool JsonReader::isWithin(double lowest, double highest, std::string_view what) const {
+  const double number = json_.get<double>();
+  if (number >= lowest && number <= highest) return true;
+  expected(std::string(what) + " from " + shortest(lowest) + " to " + shortest(highest));
+  return false;
 }
 
 JsonReader JsonReader::at(const std::string& key) const {

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -50,6 +51,9 @@ class JsonReader {
   /// Returns true if any problem has been reported so far, here or anywhere else in the text.
   bool failed() const { return !problems_.empty(); }
 
+  /// Returns true if this number lies between the two, and reports else that `what` was expected:
+  /// "a number".
+  bool isWithin(double lowest, double highest, std::string_view what) const;
   /// Reports every number, here or within lists and objects, that is not between the two.
   void checkRange(double lowest, double highest) const;
 
@@ -85,6 +89,11 @@ requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool> &&
          !std::is_same_v<T, char>) void fromJson(const JsonReader& in, T& value) {
   if constexpr (std::is_floating_point_v<T>) {
     if (!in.json().is_number()) return in.expected("a number");
+    using Limits = std::numeric_limits<T>;  // of a float
+    const bool fits =
+        sizeof(T) >= sizeof(double) || in.isWithin(static_cast<double>(Limits::lowest()),
+                                                   static_cast<double>(Limits::max()), "a number");
+    if (!fits) return;
     value = in.json().get<T>();
   } else {
     if (!in.json().is_number_integer()) return in.expected("a whole number");
@@ -111,6 +120,11 @@ template <class Rep, class Period>
 void fromJson(const JsonReader& in, std::chrono::duration<Rep, Period>& value) {
   if (!in.json().is_number()) return in.expected("a number of seconds");
   using Target = std::chrono::duration<Rep, Period>;
+  using Seconds = std::chrono::duration<double>;
+  // Whole seconds, because the most itself is rounded to a double that does not fit.
+  const bool fits = in.isWithin(std::ceil(Seconds(Target::min()).count()),
+                                std::floor(Seconds(Target::max()).count()), "a number of seconds");
+  if (!fits) return;
   value =
       std::chrono::duration_cast<Target>(std::chrono::duration<double>(in.json().get<double>()));
 }
