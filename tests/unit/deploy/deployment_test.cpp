@@ -317,6 +317,20 @@ TEST(Deployment, MistakesOfConnectionsAreToldBeforeAnythingStarts) {
   EXPECT_EQ(problemsOf(with("\"lane\": \"rpc\"", R"("contract": {"silence": "10ms"})")).size(), 0u);
 }
 
+TEST(Deployment, ATextThatIsTooLongForItsPatternIsRefused) {
+  const std::string name(200000, 'x');
+  expectOnly(with("\"name\": \"left\"", "\"name\": \"" + name + "\""),
+             "d.json:5: error: a text of 200000 characters is longer than 1024, which is the most "
+             "here; shorten it");
+  expectOnly(with("\"lane\": \"rpc\"", "\"contract\": {\"silence\": \"" + name + "\"}"),
+             "d.json:18: error: a text of 200000 characters is longer than 1024, which is the most "
+             "here; shorten it");
+  expectOnly(with("\"lane\": \"rpc\"", "\"delay\": {\"answers\": \"" + name + "\"}"),
+             "d.json:18: error: a text of 200000 characters is longer than 1024, which is the most "
+             "here; shorten it");
+  EXPECT_TRUE(problemsOf(with("\"scale\": 0.2", "\"note\": \"" + name + "\"")).empty());
+}
+
 TEST(Deployment, UnknownProcess) {
   expectOnly(with("right:PSM1/Arm", "rigth:PSM1/Arm"),
              "d.json:18: error: 'rigth:PSM1/Arm' is in an unknown process 'rigth'; there are "

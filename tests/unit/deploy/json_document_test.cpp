@@ -44,6 +44,23 @@ TEST(JsonDocument, AMissingKeyIsAtItsParentsLine) {
   EXPECT_EQ(document.locate("/a/b", "wrong"), "f.json:3: error: wrong");
 }
 
+TEST(JsonDocument, EachOfManyValuesHasItsLine) {
+  std::string text = "[0";
+  for (int i = 1; i < 2000; ++i) text += (i % 3 == 0 ? ",\n\n" : ",\n") + std::to_string(i);
+  const auto document = JsonDocument::parse(text + "\n]", "f.json");
+  for (int i = 0; i + 1 < 2000; ++i) {
+    // The parser has read the newline behind a number, or the comma.
+    ASSERT_EQ(document.lineOf("/" + std::to_string(i)), 1 + i + i / 3);
+  }
+}
+
+TEST(JsonDocument, ATextThatIsNestedWithoutEndIsRefused) {
+  EXPECT_EQ(problemsOf("[\n" + std::string(8000, '[')),
+            std::vector<std::string>{
+                "f.json:2: error: nested more than 64 deep; no value is, so remove what opens"});
+  EXPECT_TRUE(problemsOf(std::string(64, '[') + std::string(64, ']')).empty());
+}
+
 TEST(JsonDocument, KeysWithSlashAndTilde) {
   const auto document = JsonDocument::parse("{\n\"a/b~\": 1}", "f.json");
   EXPECT_EQ(suture::childPointer("", "a/b~"), "/a~1b~0");

@@ -7,6 +7,9 @@
 namespace suture {
 namespace {
 
+// No value that anything reads is nested as deep, and what reads it may call itself.
+constexpr std::size_t kDeepest = 64;
+
 // Counts how far the parser has read.
 class CountingIterator {
  public:
@@ -16,12 +19,13 @@ class CountingIterator {
   using pointer = const char*;
   using reference = const char&;
 
-  CountingIterator(const char* at, std::size_t* taken) : at_(at), taken_(taken) {}
+  CountingIterator(const char* at, DocumentBuilder::Taken* taken) : at_(at), taken_(taken) {}
 
   reference operator*() const { return *at_; }
   CountingIterator& operator++() {
+    if (taken_->characters > 0 && at_[-1] == '\n') ++taken_->line;
     ++at_;
-    ++*taken_;
+    ++taken_->characters;
     return *this;
   }
   bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
@@ -29,7 +33,7 @@ class CountingIterator {
 
  private:
   const char* at_;
-  std::size_t* taken_;
+  DocumentBuilder::Taken* taken_;
 };
 
 int lineAt(std::string_view text, std::size_t offset) {
@@ -101,6 +105,12 @@ bool DocumentBuilder::add(nlohmann::json value) {
 }
 
 bool DocumentBuilder::open(nlohmann::json container) {
+  if (open_.size() == kDeepest) {
+    problems_.push_back(document_.name_ + ":" + std::to_string(lineNow()) +
+                        ": error: nested more than " + std::to_string(kDeepest) +
+                        " deep; no value is, so remove what opens");
+    return false;
+  }
   const std::string pointer = nextPointer();
   if (pointer.empty()) document_.lines_[pointer] = lineNow();
   nlohmann::json& placed = place(std::move(container));
@@ -112,9 +122,6 @@ bool DocumentBuilder::close() {
   open_.pop_back();
   return true;
 }
-
-// The parser reads one character beyond a number; that one may be the newline.
-int DocumentBuilder::lineNow() const { return lineAt(text_, taken_ > 0 ? taken_ - 1 : 0); }
 
 std::string DocumentBuilder::nextPointer() const {
   if (open_.empty()) return "";

@@ -34,6 +34,12 @@ class DocumentBuilder {
   bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::json::exception& error);
 
+  /// Says how far the parser has read.
+  struct Taken {
+    std::size_t characters = 0;
+    int line = 1;  // of the last of them
+  };
+
  private:
   struct Frame {
     nlohmann::json* container;
@@ -46,12 +52,12 @@ class DocumentBuilder {
   bool add(nlohmann::json value);
   bool open(nlohmann::json container);
   bool close();
-  int lineNow() const;
+  int lineNow() const { return taken_.line; }
   std::string nextPointer() const;
 
   JsonDocument& document_;
   std::string_view text_;
-  std::size_t taken_ = 0;  // characters that the parser has read
+  Taken taken_;
   std::vector<Frame> open_;
   std::vector<std::string> problems_;
 };

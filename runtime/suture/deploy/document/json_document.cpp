@@ -58,7 +58,15 @@ std::string JsonDocument::place(const std::string& pointer) const {
 }
 
 std::string childPointer(const std::string& pointer, std::string_view key) {
-  return (nlohmann::json::json_pointer(pointer) / std::string(key)).to_string();
+  std::string child = pointer + '/';
+  for (const char c : key) {
+    if (c == '~' || c == '/') {
+      child += c == '~' ? "~0" : "~1";
+    } else {
+      child += c;
+    }
+  }
+  return child;
 }
 
 }  // namespace suture

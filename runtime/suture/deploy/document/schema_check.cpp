@@ -22,10 +22,15 @@ struct Place {
   std::string pointer;
 };
 
-// Returns the schema of a key: its own, or that of all keys.
+// Returns the schema of a key: its own, or that of all keys; nullptr if it may be anything.
 const json* schemaOf(const std::string& key, const json& schema) {
   const auto properties = schema.find("properties");
-  return properties == schema.end() ? &schema.at("additionalProperties") : &properties->at(key);
+  if (properties == schema.end()) {
+    const auto all = schema.find("additionalProperties");
+    return all == schema.end() || !all->is_object() ? nullptr : &*all;
+  }
+  const auto own = properties->find(key);
+  return own == properties->end() ? nullptr : &*own;
 }
 
 // valijson's context is "<root>", then "[key]" or "[index]" for each step.
@@ -92,6 +97,31 @@ void report(const std::string& description, const Place& place,
   }
 }
 
+// std::regex calls itself for each character, and so has no stack left for a long text.
+void reportLongTexts(const Place& place, std::vector<JsonProblem>& problems) {
+  constexpr std::size_t kMost = 1024;
+  const json& value = *place.value;
+  const json& schema = *place.schema;
+  if (value.is_string() && schema.contains("pattern")) {
+    const std::size_t size = value.get_ref<const std::string&>().size();
+    if (size <= kMost) return;
+    problems.push_back({place.pointer, "a text of " + std::to_string(size) +
+                                           " characters is longer than " + std::to_string(kMost) +
+                                           ", which is the most here; shorten it"});
+  } else if (value.is_array() && schema.contains("items")) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      reportLongTexts({&value[i], &schema.at("items"), place.pointer + "/" + std::to_string(i)},
+                      problems);
+    }
+  } else if (value.is_object()) {
+    for (const auto& [key, child] : value.items()) {
+      const json* const below = schemaOf(key, schema);
+      if (below == nullptr) continue;
+      reportLongTexts({&child, below, childPointer(place.pointer, key)}, problems);
+    }
+  }
+}
+
 // Returns true for what valijson adds about each level around the place where something is wrong.
 bool isConsequence(const std::string& description) {
   return description.starts_with("Failed to validate ");
@@ -100,12 +130,14 @@ bool isConsequence(const std::string& description) {
 }  // namespace
 
 std::vector<JsonProblem> checkSchema(const json& value, const json& schema) {
+  std::vector<JsonProblem> problems;
+  reportLongTexts({&value, &schema, ""}, problems);
+  if (!problems.empty()) return problems;
   valijson::Schema compiled;
   valijson::SchemaParser().populateSchema(Adapter(schema), compiled);
   valijson::ValidationResults results;
   valijson::Validator().validate(compiled, Adapter(value), &results);
 
-  std::vector<JsonProblem> problems;
   std::vector<std::string> last;  // the same key of the same place is reported once
   for (const auto& error : results) {
     std::vector<std::string> key = error.context;
