@@ -32,7 +32,7 @@ class SUTURE_COMPONENT() KnotRecorder final : public suture::PeriodicTask {
   /// Throws suture::SetupError if the file cannot be written.
   explicit KnotRecorder(const KnotRecorderParameters& parameters);
 
-  void onConfigure() override { writer_.take(); }
+  void onConfigure() override { writer_.open(); }
   void onStart() override { writer_.begin(); }
   void run() override;
 

@@ -33,7 +33,7 @@ class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
   /// Throws suture::SetupError if the file cannot be written.
   explicit Recorder(const RecorderParameters& parameters);
 
-  void onConfigure() override { writer_.take(); }
+  void onConfigure() override { writer_.open(); }
   void onStart() override { writer_.begin(); }
   void run() override;
 

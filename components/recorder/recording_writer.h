@@ -17,7 +17,7 @@ namespace robots {
 
 /// Has a ring that a task fills, and a task of its own that writes it to the file, twenty times a
 /// second. The destructor writes what is left. A start that is refused leaves an earlier recording:
-/// take the file when the owner is configured, and begin() when it starts. A row must have a
+/// call open() when the owner is configured, and begin() when it starts. A row must have a
 /// function write(std::ostream&, row) in its own namespace, and must be copied without an
 /// allocation.
 template <class Row>
@@ -36,11 +36,11 @@ class RecordingWriter final : private suture::PeriodicTask {
 
   /// The manager's thread, once: takes the file, and starts the thread that writes. Throws
   /// suture::SetupError if another recording has it.
-  void take() {
+  void open() {
     file_.take();
     start();
   }
-  /// Any thread, after take(): from now on replaces what the file had.
+  /// Any thread, after open(): from now on replaces what the file had.
   void begin() { begun_.store(true, std::memory_order_release); }
 
   /// One task's thread. Never blocks or allocates. Returns false if the row was dropped because the

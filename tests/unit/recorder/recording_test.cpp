@@ -29,7 +29,7 @@ class RecordingTest : public testing::Test {
 };
 
 void begin(RecordingWriter<Record>& writer) {
-  writer.take();
+  writer.open();
   writer.begin();
 }
 
@@ -137,8 +137,8 @@ TEST_F(RecordingTest, AnEarlierRecordingStaysUntilThisOneBegins) {
   { RecordingWriter<Record> refused(file_, kRecords); }
   {
     RecordingWriter<Record> first(file_, kRecords), second(file_, kRecords);
-    first.take();
-    EXPECT_NE(suture::refusal([&] { second.take(); }).find("another recording is being written"),
+    first.open();
+    EXPECT_NE(suture::refusal([&] { second.open(); }).find("another recording is being written"),
               std::string::npos);
   }
   EXPECT_EQ(std::filesystem::file_size(file_), 5u);
