@@ -8,6 +8,7 @@
 #include <suture/component/task/continuous_task.h>
 #include <suture/component/task/event_task.h>
 #include <suture/wiring/connect.h>
+#include <sys/mman.h>
 
 #include <atomic>
 #include <thread>
@@ -25,6 +26,22 @@ constexpr std::uint64_t kCycles = 1'000, kSleepingCycles = 1'000, kWarmUp = 200;
 #else
 constexpr std::uint64_t kCycles = 1'000'000, kSleepingCycles = 100'000, kWarmUp = 2'000;
 #endif
+
+/// Locks the memory of the process, as real-time processes do (runtime/suture/deploy/real_time.h),
+/// while it lives. Else a path that runs for the first time after minutes, because the machine
+/// stood still, has a fault for its code. A user who may not lock it, and a sanitizer, whose memory
+/// has no end, do without.
+class LockedMemory {
+ public:
+#ifndef SUTURE_UNWATCHED
+  LockedMemory() { (void)mlockall(MCL_CURRENT | MCL_FUTURE); }
+  ~LockedMemory() { munlockall(); }
+#else
+  LockedMemory() {}
+#endif
+  LockedMemory(const LockedMemory&) = delete;
+  LockedMemory& operator=(const LockedMemory&) = delete;
+};
 
 bool eventuallyDone(const Watch& watch) {
   const suture::Time deadline = suture::now() + std::chrono::minutes(5);
@@ -45,6 +62,7 @@ int someProcessor() {
 
 // Both tasks take turns in one thread, so every command is executed and every event arrives.
 TEST(TaskThread, CyclesInOneThreadCostNothing) {
+  const LockedMemory locked;
   ArmTask<suture::CallbackTask> arm;
   UserTask<suture::CallbackTask> client;
   const auto channel = suture::connectLocally(client.arm, arm.arm, "test");
@@ -96,6 +114,7 @@ TEST(TaskThread, NotEvenTheFirstUseOfAnythingAllocates) {
 
 // Both run as fast as they can, on two processors if there are two; no thread ever sleeps.
 TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
+  const LockedMemory locked;
   ArmTask<suture::ContinuousTask> arm;
   UserTask<suture::ContinuousTask> client;
   Watch armWatch("PSM", kWarmUp, kCycles), clientWatch("Console", kWarmUp, kCycles);
@@ -124,6 +143,7 @@ TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
 // An arm and two clients sleep whenever they have nothing to do, and wake each other. So each cycle
 // costs one sleep, and one ring for each of the others that sleeps.
 TEST(TaskThread, SleepingCyclesCostOneSleepAndTheirRings) {
+  const LockedMemory locked;
   const suture::EventOptions options{.scheduling = {.processor = someProcessor()}};
   ArmTask<suture::EventTask> arm(options);
   UserTask<suture::EventTask> first(options), second(options);
