@@ -1,7 +1,8 @@
 """Runs the demo for some seconds on one topology, lane and network, and checks what it says.
 
-How closely a slave follows, and if a knot arrives in time, depends here on what else the machine does. Both, to a
-millimetre, are tested in virtual time: law_test.cpp and knot_test.cpp in tests/integration/teleoperation.
+How closely and how far a slave follows, and if a knot arrives in time, depends here on what else the machine does: a
+slave holds while data are late. All, to a millimetre, are tested in virtual time: law_test.cpp and knot_test.cpp in
+tests/integration/teleoperation.
 """
 
 import hashlib
@@ -55,7 +56,7 @@ def expected_lane(connection, lane, network):
 
 
 # A busy machine does this to a slave and to a knot; that a knot was never guided is not among it.
-LATE = r"follows .*error .* at p99|the knot (ended|came|was guided) |the cameras saw the knot "
+LATE = r"follows .*error .* at p99|the slave travelled |the knot (ended|came|was guided) |the cameras saw the knot "
 
 
 def is_late(check):
@@ -115,7 +116,7 @@ def check(result, topology, lane, network):
     slaves = {arm["name"]: arm for arm in result["arms"] if "follows" in arm}
     assert {name: arm["follows"] for name, arm in slaves.items()} == SLAVES[topology]
     for arm in slaves.values():
-        assert arm["travel"] >= 0.03, arm
+        assert arm["travel"] >= 0.03 / LOOSE, arm
         assert arm["position_error"]["p99"] <= LOOSE * 0.001, arm
         assert arm["orientation_error"]["p99"] <= LOOSE * 0.0174533, arm
 
