@@ -2,12 +2,14 @@
 
 #include <fcntl.h>
 #include <sched.h>
+#include <spawn.h>
 #include <suture/base/errors.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
 #include <initializer_list>
 #include <utility>
@@ -22,8 +24,21 @@ constexpr const char* kHere = "10.213.7.1";
 constexpr const char* kSwitchAddress = "02:00:0a:d5:07:01";
 constexpr std::size_t kFirstCable = 2;
 
+/// Runs a command of the shell. std::system() would throw away an interrupt that has come and has
+/// not been read yet.
 bool succeeds(const std::string& command) {
-  return std::system(("{ " + command + "; } >/dev/null 2>&1").c_str()) == 0;
+  const std::string quiet = "{ " + command + "; } >/dev/null 2>&1";
+  const std::array<const char*, 4> words{"sh", "-c", quiet.c_str(), nullptr};
+  pid_t shell = 0;
+  if (posix_spawn(&shell, "/bin/sh", nullptr, nullptr, const_cast<char**>(words.data()), environ) !=
+      0) {
+    return false;
+  }
+  int status = 0;
+  pid_t ended;
+  do ended = waitpid(shell, &status, 0);
+  while (ended < 0 && errno == EINTR);
+  return ended == shell && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 /// Returns which of the commands fails first; "" if none does.

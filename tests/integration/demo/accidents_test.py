@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import queue
+import shutil
 import signal
 import subprocess
 import sys
@@ -11,6 +12,7 @@ import tempfile
 import threading
 import time
 import unittest
+import unittest.mock
 
 from programs import WITHOUT_REAL_TIME, Demo, all_end, interrupt
 
@@ -70,6 +72,24 @@ class Ended(unittest.TestCase):
             self.assertEqual(status, 130, output)
             self.assertTrue(all_end(children), "processes are left")
             self.assertEqual(demo.leftovers(), [])
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root may lay cables between network namespaces")
+    def test_interrupt_while_cables_are_laid(self):
+        """The interrupt comes in the middle of the first cable's commands, and those of the second follow."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        command = pathlib.Path(folder.name) / "ip"
+        command.write_text(f"""#!/bin/sh
+case "$*" in
+  *netns*) mkdir "$0.sent" && kill -INT "$(cut -d' ' -f4 /proc/$PPID/stat)" ;;
+esac
+exec {shutil.which("ip")} "$@"
+""")
+        command.chmod(0o755)
+        with unittest.mock.patch.dict(os.environ, PATH=f"{folder.name}:{os.environ['PATH']}"):
+            with Demo(PROGRAMS, "--seconds", "60", "--network", "namespaces") as demo:
+                status, output = demo.finish()
+        self.assertEqual(status, 130, output)
 
     def test_interrupt_is_told_though_the_picture_fails(self):
         with Demo(PROGRAMS, "--topology", "fig3b", "--seconds", "60", "--picture", "/no/such/knot.png") as demo:
