@@ -227,15 +227,17 @@ std::string processOf(const Deployment& deployment, const Options& options) {
 /// started.
 bool start(Host& host, const SignalWait& signals) {
   std::atomic<bool> toEnd{false};
-  const OnToldToEnd told(signals, [&] {
-    toEnd = true;
-    host.giveUp();
-  });
-  try {
-    host.start();
-  } catch (const DocumentError&) {
-    if (!toEnd) throw;
-  }
+  {
+    const OnToldToEnd told(signals, [&] {
+      toEnd = true;
+      host.giveUp();
+    });
+    try {
+      host.start();
+    } catch (const DocumentError&) {
+      if (!toEnd) throw;
+    }
+  }  // who waited may have taken the signal until here, and nobody else will see it
   return !toEnd;
 }
 
