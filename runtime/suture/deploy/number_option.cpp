@@ -7,7 +7,7 @@
 namespace suture {
 namespace {
 
-/// Not a number lies nowhere.
+/// Returns true if `text` is a number in these limits, which NaN never is.
 bool lies(const std::string& text, double least, double most) {
   char* after = nullptr;
   const double number = std::strtod(text.c_str(), &after);

@@ -81,6 +81,16 @@ bool Collection::keep(Time stamp) {
 
 void Collection::countMissed(std::uint64_t count) { add(missed_, count); }
 
+void Collection::settle(Sink& sink, const CollectedInterface& from, std::uint64_t& unreported) {
+  try {
+    sink.settle(from);
+  } catch (const NotKept& why) {
+    countNotKept(why.collected());
+    unreported += why.collected() + why.missed();
+    throw;
+  }
+}
+
 // It may be told of what it has lost after a new count has begun.
 void Collection::countNotKept(std::uint64_t count) {
   const std::uint64_t collected = collected_.load(std::memory_order_relaxed);

@@ -3,6 +3,7 @@
 
 #include <suture/base/time.h>
 #include <suture/component/contract/interface_info.h>
+#include <suture/record/sink.h>
 #include <suture/standard/collecting.h>
 
 #include <atomic>
@@ -36,10 +37,13 @@ class Collection {
   /// Returns true if what has this stamp is to be kept. Counts it as collected or passed over.
   bool keep(Time stamp);
   void countMissed(std::uint64_t count);
-  /// Counts as missed what was counted as collected, and has not been kept.
-  void countNotKept(std::uint64_t count);
+  /// Settles what `sink` has taken. What that could not keep counts as missed and no longer as
+  /// collected, and is added to `unreported`. Throws what the sink throws.
+  void settle(Sink& sink, const CollectedInterface& from, std::uint64_t& unreported);
 
  private:
+  void countNotKept(std::uint64_t count);
+
   CollectingInterval interval_;
   std::atomic<bool> wanted_, active_{false};
   std::atomic<std::uint64_t> collected_{0}, passedOver_{0}, missed_{0};

@@ -48,13 +48,13 @@ void EventCollector::stopCollecting() {
 
 void EventCollector::onStart() {
   from_.collector = name();
-  settle();
+  collection_.settle(sink_, from_, unreported_);
 }
 
 void EventCollector::run() {
   follow();
   tellMissed();
-  if (std::exchange(unsettled_, false)) settle();
+  if (std::exchange(unsettled_, false)) collection_.settle(sink_, from_, unreported_);
 }
 
 // Takes what has arrived by the end, even while the collector was suspended.
@@ -100,16 +100,6 @@ void EventCollector::tellMissed() {
   if (unreported_ == 0) return;
   sink_.missed(from_, std::exchange(unreported_, 0));
   unsettled_ = true;
-}
-
-void EventCollector::settle() {
-  try {
-    sink_.settle(from_);
-  } catch (const NotKept& why) {
-    collection_.countNotKept(why.collected());
-    unreported_ += why.collected() + why.missed();
-    throw;
-  }
 }
 
 }  // namespace suture

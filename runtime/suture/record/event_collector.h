@@ -55,7 +55,6 @@ class EventCollector final : public EventTask {
   void collect(std::uint16_t event, Time stamp, const std::byte* slot);
   void noticeDropped();
   void tellMissed();
-  void settle();
 
   std::shared_ptr<Sink> ownSink_;  // or null
   Collection collection_;

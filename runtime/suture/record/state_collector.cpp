@@ -100,7 +100,7 @@ void StateCollector::run() {
 
 void StateCollector::onStart() {
   from_.collector = name();
-  settle();
+  collection_.settle(sink_, from_, unreported_);
 }
 
 // Takes the rows that are left at the end.
@@ -131,17 +131,7 @@ void StateCollector::takeRows() {
     next_ = resume;
   }
   if (unreported_ > 0) sink_.missed(from_, std::exchange(unreported_, 0));
-  settle();
-}
-
-void StateCollector::settle() {
-  try {
-    sink_.settle(from_);
-  } catch (const NotKept& why) {
-    collection_.countNotKept(why.collected());
-    unreported_ += why.collected() + why.missed();
-    throw;
-  }
+  collection_.settle(sink_, from_, unreported_);
 }
 
 void StateCollector::passToSink(std::uint64_t number, Time stamp, std::uint64_t valid) {

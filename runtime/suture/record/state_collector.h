@@ -67,7 +67,6 @@ class StateCollector final : public EventTask {
   void takeRows();
   void passToSink(std::uint64_t number, Time stamp, std::uint64_t valid);
   void countMissed(std::uint64_t rows);
-  void settle();
 
   const std::vector<std::uint16_t> reads_;
   std::shared_ptr<Sink> ownSink_;  // or null

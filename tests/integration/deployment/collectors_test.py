@@ -61,12 +61,6 @@ class Collectors(unittest.TestCase):
             self.assertLess(time.monotonic(), deadline, (lines[-3:], self.told()))
             time.sleep(0.02)
 
-    def await_size(self, size):
-        deadline = time.monotonic() + 30
-        while self.file.stat().st_size < size:
-            self.assertLess(time.monotonic(), deadline, self.told())
-            time.sleep(0.02)
-
     def end(self, station):
         station.terminate()
         station.communicate(timeout=60)
@@ -113,8 +107,8 @@ class Collectors(unittest.TestCase):
         self.assertEqual(second.returncode, 1)
         self.assertIn("another recording is being written to it", second.stderr)
         # What the first writes meanwhile lies behind what it had.
-        before = self.file.stat().st_size
-        self.await_size(before + 1)
+        newest = max(line.get("row", 0) for line in self.collected())
+        self.await_collected(lambda line: line.get("row", 0) > newest)
         self.assertNotIn("\0", self.file.read_text())
         self.assertEqual(self.collected()[0]["from"], "Rows")
 

@@ -122,7 +122,7 @@ TEST_F(Guide, StopsAnArmOnItsWayHomeWhenItIsSuspendedOrDisabled) {
   EXPECT_TRUE(suture::clockOfTest().until([&] { return arms_[2].holds() == 2; }));
 }
 
-/// Nobody knows yet why it faulted, so it must not go on by itself.
+/// It must not go on by itself, because nobody knows yet why it faulted.
 TEST_F(Guide, HoldsAndIsDisabledAfterAFault) {
   guide_.parkSoonOnThrow([] { throw std::runtime_error("a bad number"); });
   ASSERT_TRUE(suture::clockOfTest().until([&] { return arms_[2].holds() == 1; }));

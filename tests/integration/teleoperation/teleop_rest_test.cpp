@@ -56,7 +56,7 @@ TEST_F(TeleopRest, WhoDisablesItLeavesAnArmAloneThatSomebodyElseHomes) {
   EXPECT_EQ(slave_.holds(), 0u);
 }
 
-/// Nobody knows yet why it faulted, so it must not go on by itself.
+/// It must not go on by itself, because nobody knows yet why it faulted.
 TEST_F(TeleopRest, AFaultStopsTheSlaveAndDisablesIt) {
   startFollowing();
   teleop_->parkSoonOnThrow([] { throw std::runtime_error("a bad number"); });

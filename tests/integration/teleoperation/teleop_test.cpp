@@ -104,7 +104,7 @@ TEST(Teleop, HomesNoArmThatItFoundHomed) {
   EXPECT_TRUE(reaches(station, TeleopState::Following)) << "an operator has decided it";
 }
 
-/// Whoever enables what is enabled has not decided about what happens to it afterwards.
+/// An operator who enables arms that are up decides nothing about a disable that comes later.
 TEST(Teleop, LeavesAnArmDisabledAfterItWasEnabledTwice) {
   Workstation station({.scale = 0.4});
   station.manager.start();

@@ -181,7 +181,7 @@ TEST(DeployedCollectors, ARecordingThatIsBeingWrittenIsLeftAlone) {
   EXPECT_EQ(linesOf(file).front().at("from"), "Log");
 }
 
-/// What is in the file of two collectors that spell it differently is whole.
+/// Two collectors that spell one file differently share its writer, so that all lines stay whole.
 TEST(DeployedCollectors, AFileMayBeSpelledDifferently) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("arm.jsonl");
