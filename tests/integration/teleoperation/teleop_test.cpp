@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 
+#include "coordinator/coordinator.h"
 #include "integration/teleoperation/scene/workstation.h"
 
 namespace robots::test {
@@ -100,6 +101,36 @@ TEST(Teleop, HomesNoArmThatItFoundHomed) {
   ASSERT_TRUE(cyclesPass(station.teleop, 500));
   const OperatingState state = ask(station.client.slave.operating_state);
   EXPECT_FALSE(state.is_homed || state.is_busy);
+  ASSERT_TRUE(station.client.teleop.enable());
+  EXPECT_TRUE(reaches(station, TeleopState::Following)) << "an operator has decided it";
+}
+
+/// Releases the emergency stop, as an operator does.
+struct StopButton final : suture::Device {
+  suture::Required<EmergencyStop> stop{*this, "Stop"};
+};
+
+// A coordinator that hangs takes the slave's power, and gives it back when it goes on.
+TEST(Teleop, LeavesAnArmDisabledWhosePermitLapsed) {
+  Coordinator coordinator{CoordinatorParameters{}};
+  StopButton button;
+  Workstation station({.scale = 0.4}, std::chrono::milliseconds(30));
+  station.manager.add("Coordinator", coordinator);
+  station.manager.add("Button", button);
+  station.manager.connect("PSMDrives/Stop", "Coordinator/Stop");
+  station.manager.connect("Button/Stop", "Coordinator/Stop");
+  station.manager.start();
+  ASSERT_TRUE(button.stop.release());
+  ASSERT_TRUE(reaches(station, TeleopState::Following));
+
+  station.manager.suspend("Coordinator");
+  ASSERT_TRUE(suture::eventually([&] { return slaveState(station) == ArmState::Disabled; }));
+  station.manager.resume("Coordinator");
+  ASSERT_TRUE(
+      suture::eventually([&] { return station.psm.drives.feedback().power == DrivePower::Off; }));
+  ASSERT_TRUE(cyclesPass(station.teleop, 500));
+  EXPECT_EQ(slaveState(station), ArmState::Disabled);
+  EXPECT_EQ(ask(station.client.teleop.teleop_state), TeleopState::Preparing);
   ASSERT_TRUE(station.client.teleop.enable());
   EXPECT_TRUE(reaches(station, TeleopState::Following)) << "an operator has decided it";
 }

@@ -28,7 +28,10 @@ class Client : public suture::Device {
 };
 
 struct Workstation {
-  explicit Workstation(const TeleopParameters& parameters) : teleop(parameters) {
+  /// `permit`: how old the slave's of the emergency stop may be, which the test then connects; 0:
+  /// none is needed.
+  explicit Workstation(const TeleopParameters& parameters, suture::Duration permit = {})
+      : psm(permit), teleop(parameters) {
     mtm.addTo(manager, "MTM");
     psm.addTo(manager, "PSM");
     manager.add("Surgeon", surgeon);
