@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "drives/simulated_joints.h"
+#include "parameters/parameter_check.h"
 
 namespace robots {
 
@@ -49,10 +49,9 @@ class JointDynamics final : public SimulatedJoints<N> {
         upper_(upper),
         measured_(cut(start)),
         setpoint_(measured_) {
-    if (!(timeConstant > 0) || !(rateLimit.array() > 0).all()) {
-      throw std::invalid_argument(
-          "joint dynamics: the time constant and every rate limit must be positive");
-    }
+    ParameterCheck("joints that trail their goals")
+        .isPositive("time constant in s", timeConstant)
+        .arePositive("rate limit of a joint", rateLimit);
   }
 
   void command(const Joints& setpoint) override { setpoint_ = cut(setpoint); }

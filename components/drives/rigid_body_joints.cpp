@@ -1,8 +1,9 @@
 #include "drives/rigid_body_joints.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
+
+#include "parameters/parameter_check.h"
 
 namespace robots {
 namespace {
@@ -11,13 +12,12 @@ constexpr double kSwitching = 0.2;  // s: for which compensation begins or ends
 
 template <int N>
 RigidBodyModel<N> checked(RigidBodyModel<N> model) {
-  const bool possible =
-      (model.rate_limit.array() > 0).all() && (model.stiffness.array() >= 0).all() &&
-      (model.damping.array() >= 0).all() && model.velocity_filter >= 0 && model.noise >= 0;
-  if (!possible) {
-    throw std::invalid_argument(
-        "rigid-body joints: rates must be positive, and gains, filter and noise not negative");
-  }
+  ParameterCheck("a model of rigid-body joints")
+      .arePositive("rate limit of a joint", model.rate_limit)
+      .areNotNegative("stiffness of a joint", model.stiffness)
+      .areNotNegative("damping of a joint", model.damping)
+      .isNotNegative("time constant of the velocity filter in s", model.velocity_filter)
+      .isNotNegative("noise in counts", model.noise);
   return model;
 }
 

@@ -1,8 +1,6 @@
 #include "force_feedback/position_position.h"
 
-#include <cmath>
-#include <initializer_list>
-#include <stdexcept>
+#include "parameters/parameter_check.h"
 
 namespace robots {
 namespace {
@@ -14,12 +12,14 @@ constexpr double kShare = 0.5;
 }  // namespace
 
 PositionPosition::PositionPosition(const PositionPositionModel& model) : model_(model) {
-  for (const double number :
-       {model.gains.stiffness, model.gains.damping, model.most_force, model.mass}) {
-    if (std::isfinite(number) && number >= 0) continue;
-    throw std::invalid_argument(
-        "position-position feedback: gains, bounds and mass must be finite, and not negative");
-  }
+  const ParameterCheck check("position-position feedback");
+  const auto judge = [&check](const char* parameter, double value) {
+    check.isNotNegative(parameter, value).isFinite(parameter, value);
+  };
+  judge("stiffness in N/m", model.gains.stiffness);
+  judge("damping in N.s/m", model.gains.damping);
+  judge("greatest force in N", model.most_force);
+  judge("mass in kg", model.mass);
 }
 
 Eigen::Vector3d PositionPosition::force(const TipMotion& master, const TipMotion& slave,

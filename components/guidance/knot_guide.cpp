@@ -9,10 +9,10 @@
 #include <numbers>
 #include <utility>
 
+#include "parameters/valid_age.h"
 #include "registration/surgeon_view.h"
 #include "teleop/valid_scale.h"
 #include "timing/seconds.h"
-#include "timing/valid_age.h"
 
 namespace robots {
 namespace {

@@ -1,6 +1,6 @@
 #include "hand/hand.h"
 
-#include <stdexcept>
+#include "parameters/parameter_check.h"
 
 namespace robots {
 namespace {
@@ -8,12 +8,11 @@ namespace {
 using Eigen::Vector3d;
 
 HandModel checked(const HandModel& model) {
-  const bool possible =
-      model.mass > 0 && model.damping >= 0 && model.stiffness >= 0 && model.tremor.amplitude >= 0;
-  if (!possible) {
-    throw std::invalid_argument(
-        "a hand: its mass must be positive, and damping, stiffness and tremor not negative");
-  }
+  ParameterCheck("a hand")
+      .isPositive("mass in kg", model.mass)
+      .isNotNegative("damping in N.s/m", model.damping)
+      .isNotNegative("stiffness in N/m", model.stiffness)
+      .isNotNegative("amplitude of tremor in m", model.tremor.amplitude);
   return model;
 }
 

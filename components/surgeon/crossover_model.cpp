@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "parameters/parameter_check.h"
 #include "timing/seconds.h"
 
 namespace robots {
@@ -12,13 +12,11 @@ namespace {
 constexpr double kRemnantBandwidth = 20;  // rad/s
 
 std::size_t cyclesOf(const CrossoverParameters& parameters, suture::Duration period) {
-  const bool possible = parameters.frequency > 0 && parameters.delay >= suture::Duration{} &&
-                        parameters.remnant >= 0 && period > suture::Duration{};
-  if (!possible) {
-    throw std::invalid_argument(
-        "the crossover model: frequency and period must be positive, delay and remnant not "
-        "negative");
-  }
+  ParameterCheck("the crossover model")
+      .isPositive("frequency in rad/s", parameters.frequency)
+      .isNotNegative("delay in s", inSeconds(parameters.delay))
+      .isNotNegative("remnant", parameters.remnant)
+      .isPositive("period in s", inSeconds(period));
   // There is some room to spare, because after a late cycle others may follow sooner than a period.
   return static_cast<std::size_t>(parameters.delay / period * 5 / 4) + 8;
 }

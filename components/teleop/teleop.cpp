@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "parameters/valid_age.h"
 #include "registration/surgeon_view.h"
 #include "teleop/valid_scale.h"
-#include "timing/valid_age.h"
 
 namespace robots {
 
