@@ -20,22 +20,6 @@ bool isPause(suture::Time from, suture::Time to) { return to - from > StreamWatc
 bool mayHavePower(DrivePower power) { return power == DrivePower::Off || power == DrivePower::On; }
 
 template <int N>
-JointState blank(const std::array<const char*, std::size_t{N}>& names) {
-  JointState state;
-  state.name.assign(names.begin(), names.end());
-  state.position.resize(N);
-  return state;
-}
-
-template <int N>
-void place(JointState& state, const Eigen::Matrix<double, N, 1>& position, suture::Time stamp,
-           bool valid) {
-  std::copy_n(position.data(), N, state.position.begin());
-  state.stamp = stamp;
-  state.valid = valid;
-}
-
-template <int N>
 typename DriveWatch<N>::Bounds boundsOf(const ArmModel<N>& model) {
   typename DriveWatch<N>::Bounds bounds;
   for (int i = 0; i < N; ++i) {
@@ -57,11 +41,7 @@ ArmController<N>::ArmController(const ArmModel<N>& model)
       setpoint_({.lower = model.chain.lower(),
                  .upper = model.chain.upper(),
                  .motion = {model.rate_limit, model.acceleration_limit}}),
-      measuredJs_(blank<N>(model.joint_names)),
-      setpointJs_(measuredJs_) {
-  measuredJs_.velocity.resize(N);
-  measuredJs_.effort.resize(N);
-}
+      motion_(model.joint_names) {}
 
 template <int N>
 void ArmController<N>::obey(StateCommand command) {
@@ -397,14 +377,9 @@ void ArmController<N>::clientGone(const suture::ConnectedClient& client) {
 template <int N>
 void ArmController<N>::publish(suture::Time now) {
   const bool known = reading_.stamp != suture::Time{};
-  place<N>(measuredJs_, reading_.position, reading_.stamp, heard_ && known);
-  Joints::Map(measuredJs_.velocity.data()) = reading_.velocity;
-  measuredJs_.effort.resize(reading_.measures_effort ? N : 0);
-  std::copy_n(reading_.effort.data(), measuredJs_.effort.size(), measuredJs_.effort.begin());
-  place<N>(setpointJs_, setpoint(), now, known);
-  measuredCp_ = {model_.chain.forward(reading_.position), reading_.stamp, measuredJs_.valid};
+  motion_.setMeasured(reading_, model_.chain.forward(reading_.position), heard_ && known);
   const suture::Time stamp = setpointStamp_ == suture::Time{} ? now : setpointStamp_;
-  setpointCp_ = {model_.chain.forward(setpoint()), stamp, known};
+  motion_.setSetpoint(setpoint(), now, model_.chain.forward(setpoint()), stamp, known);
 }
 
 template class ArmController<6>;

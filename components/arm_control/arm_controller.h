@@ -13,6 +13,7 @@
 #include "arm/arm_warning.h"
 #include "arm_control/drive_reading.h"
 #include "arm_control/drive_watch.h"
+#include "arm_control/motion/arm_motion.h"
 #include "arm_control/motion/setpoint.h"
 #include "arm_control/operating_states.h"
 #include "arm_control/warnings.h"
@@ -92,10 +93,7 @@ class ArmController {
   void interpolate_jp(const JointGoal& goal);
   void move_jp(const JointGoal& goal);
 
-  const JointState& measured_js() const { return measuredJs_; }
-  const JointState& setpoint_js() const { return setpointJs_; }
-  const PoseStamped& measured_cp() const { return measuredCp_; }
-  const PoseStamped& setpoint_cp() const { return setpointCp_; }
+  const ArmMotion<N>& motion() const { return motion_; }
   const OperatingState& operating_state() const { return state_; }
   PoseStamped forward_kinematics(const JointGoal& q) const;
   JointSolution inverse_kinematics(const PoseStamped& goal) const;
@@ -186,8 +184,7 @@ class ArmController {
   const suture::ConnectedClient* streamer_ = nullptr;  // whose stream is followed
   bool sliding_ = false;                               // along a joint limit
 
-  JointState measuredJs_, setpointJs_;
-  PoseStamped measuredCp_, setpointCp_;
+  ArmMotion<N> motion_;
   OperatingState state_;
 
   bool stateChanged_ = true;

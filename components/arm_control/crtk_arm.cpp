@@ -23,7 +23,7 @@ void bound(double most, std::vector<double>& lower, std::vector<double>& upper) 
 
 template <int N>
 CrtkArm<N>::CrtkArm(ArmController<N>& arm)
-    : arm_(arm), goalJs_(arm.setpoint_js()), tip_(arm.model_) {
+    : arm_(arm), goalJs_(arm.motion().setpoint_js()), tip_(arm.model_) {
   const ArmModel<N>& model = arm_.model_;
   base_.valid = true;
   for (int i = 0; i < N; ++i) {
@@ -319,13 +319,13 @@ void CrtkArm<N>::advance(suture::Time now) {
 
 template <int N>
 void CrtkArm<N>::publish(suture::Time now) {
-  tip_.measured(arm_.reading_, arm_.measured_cp(), base_.transform);
+  tip_.measured(arm_.reading_, arm_.motion().measured_cp(), base_.transform);
   tip_.asked(arm_.setpoint(), arm_.setpoint_.rate(), base_.transform, now,
-             arm_.setpoint_js().valid);
+             arm_.motion().setpoint_js().valid);
   const Joints goal = arm_.setpoint_.endOfMove();
   std::copy_n(goal.data(), N, goalJs_.position.begin());
   goalJs_.stamp = now;
-  goalJs_.valid = arm_.setpoint_js().valid;
+  goalJs_.valid = arm_.motion().setpoint_js().valid;
   goalCp_ = {arm_.model_.chain.forward(goal), now, goalJs_.valid};
 }
 

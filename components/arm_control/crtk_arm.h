@@ -44,14 +44,14 @@ class CrtkArm final : public Arm {
   void unhome() override { arm_.obey(StateCommand::Unhome); }
   void state_command(const std::string& name) override;
 
-  const JointState& measured_js() const override { return arm_.measured_js(); }
-  const JointState& setpoint_js() const override { return arm_.setpoint_js(); }
+  const JointState& measured_js() const override { return arm_.motion().measured_js(); }
+  const JointState& setpoint_js() const override { return arm_.motion().setpoint_js(); }
   const JointState& goal_js() const override { return goalJs_; }
-  PoseStamped measured_cp() const override { return inReference(arm_.measured_cp()); }
-  PoseStamped setpoint_cp() const override { return inReference(arm_.setpoint_cp()); }
+  PoseStamped measured_cp() const override { return inReference(arm_.motion().measured_cp()); }
+  PoseStamped setpoint_cp() const override { return inReference(arm_.motion().setpoint_cp()); }
   PoseStamped goal_cp() const override { return inReference(goalCp_); }
-  PoseStamped local_measured_cp() const override { return arm_.measured_cp(); }
-  PoseStamped local_setpoint_cp() const override { return arm_.setpoint_cp(); }
+  PoseStamped local_measured_cp() const override { return arm_.motion().measured_cp(); }
+  PoseStamped local_setpoint_cp() const override { return arm_.motion().setpoint_cp(); }
   const Twist& measured_cv() const override { return tip_.measured_cv(); }
   const Twist& setpoint_cv() const override { return tip_.setpoint_cv(); }
   const Wrench& body_measured_cf() const override { return tip_.body_measured_cf(); }

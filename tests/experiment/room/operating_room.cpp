@@ -6,8 +6,8 @@ namespace experiment {
 namespace {
 
 Pair pairOf(const robots::test::DrivenMtm& master, const robots::test::DrivenPsm& slave) {
-  return {master.arm.measured_cp().pose, slave.arm.measured_cp().pose,
-          slave.arm.setpoint_cp().pose};
+  return {master.arm.motion().measured_cp().pose, slave.arm.motion().measured_cp().pose,
+          slave.arm.motion().setpoint_cp().pose};
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ class DrivingTest : public testing::Test {
   }
   template <class Arm>
   static Eigen::Vector3d tip(const Arm& driven) {
-    return driven.arm.measured_cp().pose.translation();
+    return driven.arm.motion().measured_cp().pose.translation();
   }
   void push(const std::vector<input_event>& events, suture::Duration length) {
     fifo_.write(events);

@@ -50,7 +50,7 @@ class DrivenArmTest : public testing::Test {
   }
   double joint() { return psm_.drives.feedback().position[0]; }
   void move(double by) {
-    const auto& present = psm_.arm.setpoint_js().position;
+    const auto& present = psm_.arm.motion().setpoint_js().position;
     JointGoal goal{{present.begin(), present.end()}, suture::now()};
     goal.position[0] += by;
     EXPECT_TRUE(panel_.arm.move_jp(goal));

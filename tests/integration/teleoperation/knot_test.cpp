@@ -165,28 +165,28 @@ TEST_P(Knot, IsNotGuidedUnseen) {
   suture::pass(1s);
   left_.disconnect("Guide/Vision");
   ASSERT_TRUE(becomes(GuidanceState::Blind));
-  const Vector3d leftHeld = leftSlave_.arm.setpoint_cp().pose.translation();
-  const Vector3d rightHeld = rightSlave_.arm.setpoint_cp().pose.translation();
+  const Vector3d leftHeld = leftSlave_.arm.motion().setpoint_cp().pose.translation();
+  const Vector3d rightHeld = rightSlave_.arm.motion().setpoint_cp().pose.translation();
   suture::pass(1s);
   EXPECT_TRUE(is(GuidanceState::Blind));
-  EXPECT_TRUE(leftSlave_.arm.setpoint_cp().pose.translation().isApprox(leftHeld, 1e-9));
-  EXPECT_TRUE(rightSlave_.arm.setpoint_cp().pose.translation().isApprox(rightHeld, 1e-9));
+  EXPECT_TRUE(leftSlave_.arm.motion().setpoint_cp().pose.translation().isApprox(leftHeld, 1e-9));
+  EXPECT_TRUE(rightSlave_.arm.motion().setpoint_cp().pose.translation().isApprox(rightHeld, 1e-9));
 }
 
 /// Both hands have 70 mm to go, and go them once.
 TEST_P(UnguidedKnot, IsCarriedOnAfterAnInterruption) {
   begin(guided());
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
-  const double start = leftMaster_.arm.setpoint_cp().pose.translation().z();
+  const double start = leftMaster_.arm.motion().setpoint_cp().pose.translation().z();
   suture::pass(2s);
   left_.disconnect("Guide/Vision");
   ASSERT_TRUE(becomes(GuidanceState::Blind));
-  const double interrupted = leftMaster_.arm.setpoint_cp().pose.translation().z();
+  const double interrupted = leftMaster_.arm.motion().setpoint_cp().pose.translation().z();
   EXPECT_NEAR(interrupted - start, -0.035, 0.015);
   left_.connect("Guide/Vision", "Tracker/Vision");
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
   suture::pass(4s);
-  EXPECT_NEAR(leftMaster_.arm.setpoint_cp().pose.translation().z() - start, -0.07, 1e-6);
+  EXPECT_NEAR(leftMaster_.arm.motion().setpoint_cp().pose.translation().z() - start, -0.07, 1e-6);
 }
 
 TEST_P(Knot, AGoneGuideIsNotRecordedAsGuiding) {

@@ -42,7 +42,7 @@ TEST(ArmController, NeverAllocatesInItsCycle) {
     time += std::chrono::milliseconds(1);
     if (i == 300) arm.move_jp(elsewhere);
     if (i > 600) {
-      PoseStamped goal = arm.setpoint_cp();
+      PoseStamped goal = arm.motion().setpoint_cp();
       goal.pose.translation().x() += i % 100 == 0 ? 1.0 : 0.0001;  // out of reach now and then
       arm.servo_cp(goal);
     }

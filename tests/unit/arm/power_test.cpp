@@ -34,14 +34,14 @@ TEST(Power, AnArmIsUndefinedUntilItsDrivesMayHavePower) {
   };
   arm.step(time, std::nullopt);
   EXPECT_EQ(arm.operating_state().state, ArmState::Undefined);
-  EXPECT_FALSE(arm.measured_cp().valid);
-  EXPECT_FALSE(arm.setpoint_cp().valid);
+  EXPECT_FALSE(arm.motion().measured_cp().valid);
+  EXPECT_FALSE(arm.motion().setpoint_cp().valid);
   EXPECT_EQ(stateWith(DrivePower::NotReady), ArmState::Undefined);
   arm.obey(StateCommand::Enable);
   EXPECT_EQ(stateWith(DrivePower::NotReady), ArmState::Undefined);
   EXPECT_EQ(stateWith(DrivePower::Off), ArmState::Disabled);
-  EXPECT_TRUE(arm.measured_cp().valid);
-  EXPECT_EQ(arm.measured_cp().stamp, time);
+  EXPECT_TRUE(arm.motion().measured_cp().valid);
+  EXPECT_EQ(arm.motion().measured_cp().stamp, time);
 }
 
 TEST_F(PowerTest, IsWantedWhereTheArmHoldsByItself) {

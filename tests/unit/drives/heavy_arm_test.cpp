@@ -65,7 +65,7 @@ TEST(HeavyArm, AtRestPressesNoHarderThanItsFriction) {
   for (int i = 0; i < 6; ++i) {
     EXPECT_LT(std::abs(pressing[i]), 1.01 * mechanics.coulomb[i]) << "joint " << i;
   }
-  const std::vector<double>& efforts = psm.measured_js().effort;
+  const std::vector<double>& efforts = psm.motion().measured_js().effort;
   ASSERT_EQ(efforts.size(), 6u);
   EXPECT_GT(std::abs(efforts[1]), 2 * mechanics.coulomb[1]) << "it is the weight that is much";
 }
@@ -75,7 +75,7 @@ TEST(HeavyArm, SinksWithoutBrakesWhenDisabled) {
   MtmDrives drives(
       {.permit = {}, .dynamics = DriveDynamics::RigidBody, .rigid_body = {.brakes = false}});
   Robot robot(mtm, drives);
-  const auto shoulder = [&] { return mtm.measured_js().position[1]; };
+  const auto shoulder = [&] { return mtm.motion().measured_js().position[1]; };
   const double before = shoulder();
   EXPECT_TRUE(robot.panel.arm.disable());
   pass(1s);
@@ -107,7 +107,7 @@ TEST(LaggingArm, MeasuresNoForce) {
   Robot robot(psm, drives);
   robot.move(0.2);
   EXPECT_FALSE(robot.ask(robot.panel.arm.spatial_measured_cf).valid);
-  EXPECT_TRUE(psm.measured_js().effort.empty());
+  EXPECT_TRUE(psm.motion().measured_js().effort.empty());
 }
 
 }  // namespace

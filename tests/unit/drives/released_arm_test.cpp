@@ -40,9 +40,9 @@ class ReleasedArm : public testing::Test {
   }
   void release(suture::Duration duration) { push(duration, effort(kYaw, 0)); }
   void compensate(bool use) { EXPECT_TRUE(robot_.panel.arm.use_gravity_compensation(use)); }
-  Joints7 joints() const { return Joints7::Map(mtm_.measured_js().position.data()); }
-  Joints7 efforts() const { return Joints7::Map(mtm_.measured_js().effort.data()); }
-  Eigen::Vector3d tip() const { return mtm_.measured_cp().pose.translation(); }
+  Joints7 joints() const { return Joints7::Map(mtm_.motion().measured_js().position.data()); }
+  Joints7 efforts() const { return Joints7::Map(mtm_.motion().measured_js().effort.data()); }
+  Eigen::Vector3d tip() const { return mtm_.motion().measured_cp().pose.translation(); }
   Joints7 weight() const {
     const dynamics::ArmDynamics<7> arm(kinematics::mtmLeft(), mechanics_.links);
     return arm.gravity(arm.at(joints()));
@@ -143,7 +143,7 @@ TEST_F(ReleasedArm, GivesNoMoreThanItsJointsMayTake) {
   push(200ms, effort(kYaw, -100));
   expectState(ArmState::Enabled, "servo_jf");
   EXPECT_LE(std::abs(efforts()[kYaw]), mechanics_.effort_limit[kYaw] * (1 + 1e-9));
-  EXPECT_LT(mtm_.measured_js().velocity[kYaw], -0.5);
+  EXPECT_LT(mtm_.motion().measured_js().velocity[kYaw], -0.5);
 }
 
 TEST_F(ReleasedArm, HoldsTheJointsOutsideOfTheMask) {
@@ -204,7 +204,7 @@ TEST(ReleasedPsm, StaysOrFallsAsItsMotorsCarryIt) {
   Psm psm(PsmParameters{});
   PsmDrives drives({.permit = {}, .dynamics = DriveDynamics::RigidBody});
   Robot robot(psm, drives);
-  const auto pitch = [&] { return psm.measured_js().position[1]; };
+  const auto pitch = [&] { return psm.motion().measured_js().position[1]; };
   const double before = pitch();
   EXPECT_TRUE(robot.panel.arm.free());
   pass(2s);
@@ -220,11 +220,11 @@ TEST(LaggingMtm, IsMovedByAnEffortAndNotReleased) {
   Mtm mtm(MtmParameters{});
   MtmDrives drives({.permit = {}});
   Robot robot(mtm, drives);
-  const double before = mtm.setpoint_js().position[0];
+  const double before = mtm.motion().setpoint_js().position[0];
   JointEffortGoal goal;
   goal.effort = {0.5, 0, 0, 0, 0, 0, 0};
   robot.stream(200ms, [&] { return robot.panel.arm.servo_jf(goal); });
-  EXPECT_NEAR(mtm.setpoint_js().position[0] - before, 0.05, 0.01);
+  EXPECT_NEAR(mtm.motion().setpoint_js().position[0] - before, 0.05, 0.01);
 }
 
 }  // namespace
