@@ -27,12 +27,23 @@ suture::TaskReport taskOf(const std::vector<suture::Report>& reports, const std:
   return {};
 }
 
-Check checkProcesses(const CrewResult& result) {
+/// A process that misses a connection at its end says so by its exit status, so what was lost has
+/// come back.
+std::string whatWasLost(const CrewResult& result,
+                        const std::vector<ConnectionReport>& connections) {
+  const auto lost = std::count_if(
+      connections.begin(), connections.end(),
+      [](const ConnectionReport& one) { return one.contract && one.contract->losses > 0; });
+  if (result.outage) return "had every connection again";
+  if (lost == 0) return "lost nothing";
+  return fmt::format("have again the {} connection{} that they lost", lost, lost == 1 ? "" : "s");
+}
+
+Check checkProcesses(const CrewResult& result, const std::vector<ConnectionReport>& connections) {
   if (!result.failures.empty()) return {false, result.failures.front()};
-  // A process that misses a connection at its end says so by its exit status.
-  return {true, fmt::format("{} process{} ran to the end and {}", result.reports.size(),
-                            result.reports.size() == 1 ? "" : "es",
-                            result.outage ? "had every connection again" : "lost nothing")};
+  return {true,
+          fmt::format("{} process{} ran to the end and {}", result.reports.size(),
+                      result.reports.size() == 1 ? "" : "es", whatWasLost(result, connections))};
 }
 
 /// Returns what is wrong with the lane of a connection; "" if it had the one that it was given.
@@ -163,7 +174,7 @@ Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const Cre
   for (const std::string& arm : plan.arms()) {
     verdict.arms.push_back({arm, taskOf(result.reports, arm), "", std::nullopt});
   }
-  verdict.checks = {checkProcesses(result), checkPrograms(result.programs),
+  verdict.checks = {checkProcesses(result, verdict.connections), checkPrograms(result.programs),
                     checkLanes(plan, verdict.connections)};
   for (FollowingWatch& watch : watches) {
     const auto slave =

@@ -79,12 +79,29 @@ void makeKeys(nlohmann::json& system, const std::filesystem::path& folder) {
   system["keys"] = "keys";
 }
 
+/// Keeps what the topology's file means by paths of its own folder, though the run has another.
+/// What components write by their parameters goes to that of the run.
+void keepPaths(json& system, const suture::Deployment& topology) {
+  const auto keep = [&](json& owner, const char* key) {
+    const auto path = owner.find(key);
+    if (path != owner.end()) *path = topology.besideIt(*path).string();
+  };
+  keep(system, "keys");
+  keep(system, "policy");
+  for (json& process : system.at("processes")) {
+    if (process.contains("black_box")) keep(process["black_box"], "folder");
+    for (json& component : process.at("components")) keep(component, "library");
+  }
+}
+
 std::filesystem::path write(const Options& options, const std::optional<Moment>& stop,
                             bool realTime, Network& network, const std::filesystem::path& topology,
                             const std::filesystem::path& folder) {
   // The file is checked before it is changed, so that a message names the topology's own file and
   // line.
-  json system = suture::Deployment(suture::JsonDocument::read(topology)).document().value();
+  const suture::Deployment given(suture::JsonDocument::read(topology));
+  json system = given.document().value();
+  keepPaths(system, given);
   system.erase("$schema");
   system.erase("manager");
   if (system.at("processes").size() > 1 || options.lane != "auto") {

@@ -40,10 +40,14 @@ fs::path Topologies::find(const std::string& asked) const {
   if (std::find(names_.begin(), names_.end(), asked) != names_.end()) {
     return folder_ / (asked + ".json");
   }
-  if (asked.ends_with(".json") && fs::is_regular_file(asked)) return fs::absolute(asked);
-  throw suture::SetupError("finding topology '" + asked + "'",
-                           folder_.string() + " has " + suture::listNames(names_),
-                           "Name one of them, or a deployment file that ends with .json");
+  const bool isFile = asked.ends_with(".json");
+  if (isFile && fs::is_regular_file(asked)) return fs::absolute(asked);
+  throw suture::SetupError(
+      "finding topology '" + asked + "'",
+      isFile ? "there is no such file" : folder_.string() + " has " + suture::listNames(names_),
+      isFile
+          ? "Give the path of a deployment file, or one of the names " + suture::listNames(names_)
+          : "Name one of them, or a deployment file that ends with .json");
 }
 
 std::string Topologies::list() const {

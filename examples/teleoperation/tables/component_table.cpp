@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include "tables/units.h"
@@ -25,11 +26,21 @@ std::string hadRate(const TaskReport& task) {
   return mean == Duration{0} ? "-" : fmt::format("{:.1f}", 1 / robots::inSeconds(mean));
 }
 
-std::string held(const TaskReport& task) {
+/// Returns the share of its periods that had a cycle; none before the first.
+std::optional<double> shareHeld(const TaskReport& task) {
   const auto cycles = static_cast<double>(task.cycles);
   const auto periods = cycles + static_cast<double>(task.skipped);
-  return periods == 0 ? "-" : fmt::format("{:.2f}", 1e2 * cycles / periods);
+  if (periods == 0) return std::nullopt;
+  return cycles / periods;
 }
+
+std::string held(const TaskReport& task) {
+  const auto share = shareHeld(task);
+  return share ? fmt::format("{:.2f}", 1e2 * *share) : "-";
+}
+
+/// A task that has a smaller share of its cycles makes a run fail that a quiet machine passes.
+constexpr double kQuietShare = 0.95;
 
 std::string share(const std::optional<Duration>& used, Duration age) {
   if (!used || age == Duration{0}) return "-";
@@ -51,6 +62,24 @@ Table componentTable(const Plan& plan, const std::vector<Report>& reports) {
     }
   }
   return table;
+}
+
+std::string whatTheyMissed(const std::vector<Report>& reports) {
+  double least = 1;
+  std::string worst;
+  for (const Report& report : reports) {
+    for (const TaskReport& task : report.tasks) {
+      const double share = shareHeld(task).value_or(1);
+      if (share >= least) continue;
+      least = share;
+      worst = report.process + ":" + task.name;
+    }
+  }
+  if (least >= kQuietShare) return "";
+  return fmt::format(
+      "This machine was too busy: {} had {:.0f} % of its cycles. End what else runs, or add --rate "
+      "200.",
+      worst, 1e2 * least);
 }
 
 std::string processorTime(const std::vector<Report>& reports) {

@@ -16,6 +16,10 @@ namespace demo {
 /// its start, that had a cycle. Processor time is of one processor.
 Table componentTable(const Plan& plan, const std::vector<suture::Report>& reports);
 
+/// Returns a sentence about a machine that was too busy for the tasks, and what to do; "" if every
+/// task had nearly all of its cycles.
+std::string whatTheyMissed(const std::vector<suture::Report>& reports);
+
 /// Returns a sentence about how much of the machine's processors all processes used, and which part
 /// of it was not that of tasks.
 std::string processorTime(const std::vector<suture::Report>& reports);

@@ -162,6 +162,10 @@ void Screen::end(const Plan& plan, const CrewResult& result, const Verdict& verd
   for (std::size_t i = 1; i < result.failures.size(); ++i) {
     fmt::print("        {}\n", result.failures[i]);
   }
+  // A process that was cut off may have been frozen, and has missed cycles by that.
+  if (verdict.passed() || result.outage) return;
+  const std::string missed = whatTheyMissed(result.reports);
+  if (!missed.empty()) fmt::print("{}\n", missed);
 }
 
 }  // namespace demo

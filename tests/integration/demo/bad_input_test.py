@@ -124,12 +124,12 @@ class Demo(unittest.TestCase):
         self.assertIn("nothing in this topology places a knot. Choose one with a KnotGuide", process.stderr)
         self.assertEqual(process.stdout, "", "it is refused before the run")
 
-    def error_of(self, change):
-        """Returns why a run of fig3c, changed, cannot be judged."""
+    def error_of(self, change, folder=None):
+        """Returns why a run of fig3c, changed in a file of that folder, ends with an error."""
         topology = json.loads((TOPOLOGIES / "fig3c.json").read_text())
         change(topology)
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "changed.json"
+        with tempfile.TemporaryDirectory() as elsewhere:
+            file = (folder or pathlib.Path(elsewhere)) / "changed.json"
             file.write_text(json.dumps(topology))
             process = subprocess.run([PROGRAMS / "suture-demo", "--topology", file, "--seconds", "1"],
                                      capture_output=True, text=True, timeout=60)
@@ -154,6 +154,25 @@ class Demo(unittest.TestCase):
                       self.error_of(without_connections("to", "/Teleoperation")))
         self.assertIn("the topology's file leaves it out, or gives it another type. State it there",
                       self.error_of(without_parameters))
+
+    def test_a_process_that_the_topology_does_not_have(self):
+        process = subprocess.run([PROGRAMS / "suture-demo", "--break", "vision@4s"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("--break vision@4s: topology 'fig3c' has processes 'left' and 'right'. Name one of them, or choose by "
+                      "--topology one that has 'vision'", process.stderr)
+
+    def test_a_file_that_is_not_there(self):
+        process = subprocess.run([PROGRAMS / "suture-demo", "--topology", "lab.json"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("finding topology 'lab.json': there is no such file. Give the path of a deployment file", process.stderr)
+
+    def test_paths_of_a_topology_count_from_its_own_folder(self):
+        def with_a_library(topology):
+            topology["processes"][0]["components"][0]["library"] = "build/liblab.so"
+
+        with tempfile.TemporaryDirectory() as folder:
+            error = self.error_of(with_a_library, pathlib.Path(folder))
+            self.assertIn(f"loading components from '{folder}/build/liblab.so': there is no such file", error)
 
     def test_without_the_command_that_makes_namespaces(self):
         process = subprocess.run([PROGRAMS / "suture-demo", "--network", "namespaces"], capture_output=True, text=True,
