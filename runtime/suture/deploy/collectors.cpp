@@ -15,7 +15,7 @@
 namespace suture {
 namespace {
 
-constexpr std::string_view kStates = "StateCollector", kEvents = "EventCollector";
+constexpr std::string_view kStates = Collectors::kClasses[0];
 
 constexpr double kLongestInterval = 86400;  // s
 
@@ -74,7 +74,7 @@ std::string noSuchInterface(const Component& component, const Endpoint& asked) {
 }  // namespace
 
 bool Collectors::offers(std::string_view className) {
-  return className == kStates || className == kEvents;
+  return std::find(kClasses.begin(), kClasses.end(), className) != kClasses.end();
 }
 
 void Collectors::checkFiles(const Deployment& deployment,

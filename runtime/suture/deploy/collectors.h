@@ -6,6 +6,7 @@
 #include <suture/deploy/document/deployment.h>
 #include <suture/record/json_lines.h>
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -28,6 +29,8 @@ class Collectors {
   Collectors(const Deployment& deployment, const ProcessEntry& process)
       : deployment_(deployment), process_(process) {}
 
+  /// Are the classes that every deployment has, whatever its program.
+  static constexpr std::array<const char*, 2> kClasses{"StateCollector", "EventCollector"};
   static bool offers(std::string_view className);
   /// Adds a problem for each collector that writes to a file of another process's collector, or to
   /// the deployment itself.

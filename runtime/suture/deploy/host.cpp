@@ -27,14 +27,30 @@ bool isCollector(const ComponentEntry& entry, std::span<const ComponentClass> of
 }
 
 std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentClass> classes) {
+  const bool isOfProgram = entry.sharedLibrary.empty();
   std::vector<std::string> offered;
   for (const ComponentClass& one : classes) offered.emplace_back(one.name);
+  if (isOfProgram) {
+    for (const char* const collector : Collectors::kClasses) offered.emplace_back(collector);
+  }
   const std::string nearest = nearestName(entry.className, offered);
-  const std::string where = entry.sharedLibrary.empty()
-                                ? "this program"
-                                : "library '" + entry.sharedLibrary.string() + "'";
+  const std::string where =
+      isOfProgram ? "this program" : "library '" + entry.sharedLibrary.string() + "'";
+  std::string remedy = "; did you mean '" + nearest + "'?";
+  if (nearest.empty()) {
+    remedy = isOfProgram ? "; one of a shared library needs the key \"library\" too" : "";
+  }
   return "no component class '" + entry.className + "' in " + where + "; it offers " +
-         listNames(offered) + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+         listNames(offered) + remedy;
+}
+
+/// Returns "'pose.x': ", the parameter that a problem is about, unless its text names it.
+std::string subjectOf(const JsonProblem& problem, const std::string& parameters) {
+  if (problem.pointer.size() <= parameters.size()) return "";
+  std::string name = problem.pointer.substr(parameters.size() + 1);
+  std::replace(name.begin(), name.end(), '/', '.');
+  const std::string last = "'" + name.substr(name.rfind('.') + 1) + "'";
+  return problem.text.find(last) == std::string::npos ? "'" + name + "': " : "";
 }
 
 /// `why` has, by the name of each connection, what its client's end was told: "closed: ...".
@@ -109,7 +125,8 @@ std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
                                         std::vector<std::string>& problems) {
   const JsonDocument& document = deployment_.document();
   std::vector<JsonProblem> parameterProblems;
-  const JsonReader parameters(entry.parameters, entry.pointer + "/parameters", parameterProblems);
+  const std::string pointer = entry.pointer + "/parameters";
+  const JsonReader parameters(entry.parameters, pointer, parameterProblems);
   std::unique_ptr<Component> component;
   std::string thrown;
   try {
@@ -119,11 +136,15 @@ std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
                                                 entry.className +
                                                 "' cannot be created: " + error.what());
   }
+  std::stable_sort(parameterProblems.begin(), parameterProblems.end(),
+                   [&](const JsonProblem& one, const JsonProblem& other) {
+                     return document.lineOf(one.pointer) < document.lineOf(other.pointer);
+                   });
   // These come first: a key that is spelled wrongly is often why the constructor throws.
   for (const JsonProblem& problem : parameterProblems) {
-    problems.push_back(document.locate(
-        problem.pointer,
-        "parameters of '" + entry.name + "' (" + entry.className + "): " + problem.text));
+    problems.push_back(
+        document.locate(problem.pointer, "parameters of '" + entry.name + "' (" + entry.className +
+                                             "): " + subjectOf(problem, pointer) + problem.text));
   }
   if (!thrown.empty()) problems.push_back(thrown);
   return component;

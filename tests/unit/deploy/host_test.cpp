@@ -189,7 +189,21 @@ TEST(Host, UnknownClass) {
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0],
             "d.json:2: error: no component class 'SimulatedArn' in this program; it offers "
-            "'SimulatedArm', 'Client', 'Throwing' and 'Refusing'; did you mean 'SimulatedArm'?");
+            "'SimulatedArm', 'Client', 'Throwing', 'Refusing', 'StateCollector' and "
+            "'EventCollector'; did you mean 'SimulatedArm'?");
+}
+
+TEST(Host, ACollectorThatIsSpelledWronglyIsGuessed) {
+  const auto problems = problemsOf(deploymentOf("{\"name\": \"L\", \"class\": \"StateColector\"}"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(problems[0].ends_with("did you mean 'StateCollector'?")) << problems[0];
+}
+
+TEST(Host, AClassOfNobodyMayBeOneOfALibrary) {
+  const auto problems = problemsOf(deploymentOf("{\"name\": \"G\", \"class\": \"Gripper\"}"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(problems[0].ends_with("one of a shared library needs the key \"library\" too"))
+      << problems[0];
 }
 
 TEST(Host, WrongParametersOfAllComponentsAreToldAtOnce) {
@@ -199,14 +213,14 @@ TEST(Host, WrongParametersOfAllComponentsAreToldAtOnce) {
       "\"home\": 3}},\n"
       "{\"name\": \"B\", \"class\": \"SimulatedArm\", \"parameters\": {\"period\": 7}}"));
   ASSERT_EQ(problems.size(), 3u);
-  EXPECT_EQ(
-      problems[0],
-      "d.json:4: error: parameters of 'A' (SimulatedArm): expected a list of 3, found number 3");
-  EXPECT_EQ(problems[1],
+  EXPECT_EQ(problems[0],
             "d.json:3: error: parameters of 'A' (SimulatedArm): unknown key 'perod'; did you mean "
             "'period'?");
+  EXPECT_EQ(problems[1],
+            "d.json:4: error: parameters of 'A' (SimulatedArm): 'home': expected a list of 3, "
+            "found number 3");
   EXPECT_TRUE(problems[2].starts_with(
-      "d.json:5: error: parameters of 'B' (SimulatedArm): expected a number"))
+      "d.json:5: error: parameters of 'B' (SimulatedArm): 'period': expected a number"))
       << problems[2];
 }
 
