@@ -37,7 +37,12 @@ Lacking lackingOfCompatible(const InterfaceInfo& required, const InterfaceInfo& 
   return found.breaks.empty() ? Lacking(std::move(found.lacking)) : std::nullopt;
 }
 
-/// Shows the first few, a line each: two unrelated contracts differ in more than a hundred places.
+/// Two contracts of different names are not versions of one: each line of both would differ.
+bool haveOneName(const InterfaceInfo& required, const InterfaceInfo& provided) {
+  return std::string_view(required.name) == provided.name;
+}
+
+/// Shows the first few, a line each.
 std::string textOf(const std::vector<std::string>& reasons) {
   constexpr std::size_t kShown = 3;
   std::string text = reasons.empty() ? "" : ":";
@@ -48,7 +53,7 @@ std::string textOf(const std::vector<std::string>& reasons) {
 
 [[noreturn]] void refuse(const InterfaceInfo& required, const InterfaceInfo& provided,
                          const std::string& connection, const std::vector<std::string>& reasons) {
-  const std::string remedy = std::string_view(required.name) == provided.name
+  const std::string remedy = haveOneName(required, provided)
                                  ? "Build both sides from the same header"
                                  : "Connect interfaces of the same contract";
   throw SetupError("connecting " + connection,
@@ -73,7 +78,9 @@ Match requireSameContract(const InterfaceInfo& required, const InterfaceInfo& pr
   auto match =
       firstMatch(provided, [&](const InterfaceInfo& one) { return lackingOfSame(required, one); });
   if (match) return std::move(*match);
-  refuse(required, provided, connection, differences(required.description, provided.description));
+  refuse(required, provided, connection,
+         haveOneName(required, provided) ? differences(required.description, provided.description)
+                                         : std::vector<std::string>());
 }
 
 Match requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
@@ -88,10 +95,10 @@ Match requireCompatibleContract(const InterfaceInfo& required, const InterfaceIn
 
 std::vector<std::string> contractDifferences(const InterfaceInfo& required,
                                              const InterfaceInfo& provided) {
+  if (!haveOneName(required, provided)) return {};
   Compatibility found = compatibility(required.description, provided.description);
-  const bool same = std::string_view(required.name) == provided.name;
-  return same && found.comparable ? std::move(found.breaks)
-                                  : differences(required.description, provided.description);
+  return found.comparable ? std::move(found.breaks)
+                          : differences(required.description, provided.description);
 }
 
 std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase& provided,

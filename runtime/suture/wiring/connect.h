@@ -33,7 +33,8 @@ Match requireSameContract(const InterfaceInfo& required, const InterfaceInfo& pr
 Match requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
                                 const std::string& connection);
 
-/// Returns where the two contracts differ, in one line for each difference, for people.
+/// Returns where the two versions of a contract differ, in one line for each difference, for
+/// people; none for contracts of different names.
 std::vector<std::string> contractDifferences(const InterfaceInfo& required,
                                              const InterfaceInfo& provided);
 

@@ -172,5 +172,15 @@ TEST(Contract, NoOtherDifferenceIsAllowed) {
   EXPECT_EQ(lackingOptional(hold, "no JSON"), std::nullopt);
 }
 
+TEST(Contract, TwoOfDifferentNamesAreNotComparedFieldByField) {
+  InterfaceInfo other = described("another hash", R"({"name": "other", "a": 1})");
+  other.name = "other";
+  const InterfaceInfo info = described("hash", R"({"name": "reference::ArmLike"})");
+  EXPECT_TRUE(contractDifferences(info, other).empty());
+  EXPECT_TRUE(refusal([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); })
+                  .ends_with("it requires reference::ArmLike and is offered other. Connect "
+                             "interfaces of the same contract"));
+}
+
 }  // namespace
 }  // namespace suture
