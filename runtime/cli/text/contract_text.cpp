@@ -2,6 +2,8 @@
 #include "cli/text/screen.h"
 #include "cli/text/type_text.h"
 
+#include <algorithm>
+
 namespace suture::cli {
 namespace {
 
@@ -75,7 +77,9 @@ std::string membersText(const char* title, const std::vector<Member>& members,
 std::string fieldsText(const Json& described) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& field : listAt(described, "fields")) {
-    rows.push_back({textAt(field, "name"), valueTypeText(field), textAt(field, "doc")});
+    std::string doc = textAt(field, "doc");
+    std::replace(doc.begin(), doc.end(), '\n', ' ');  // a table has a line for each field
+    rows.push_back({textAt(field, "name"), valueTypeText(field), doc});
   }
   return columns(rows, 2 * kStep);
 }

@@ -106,6 +106,7 @@ std::string explainError(const std::string& words) {
 }
 
 std::string whatToAsk(const std::string& message) {
+  if (message.ends_with('?')) return "";  // a guess at a name says what to do
   const std::vector<Row> rows = rowsOf(message);
   if (rows.empty()) return "";
   std::string pattern(rows.front().pattern);

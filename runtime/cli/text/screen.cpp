@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -13,9 +14,19 @@ constexpr std::size_t kWidth = 100;
 
 bool isScalar(const Json& value) { return !value.is_structured() || value.empty(); }
 
+/// Returns as many digits of a real number as people read: "0.0935" of 0.09350000000000003.
+std::string real(const Json& value) {
+  const double number = value.get<double>();
+  if (!std::isfinite(number)) return value.dump();
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", number);
+  const std::string digits = text.data();
+  return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
+}
+
 std::string scalar(const Json& value) {
   if (value.is_string()) return plain(value.get<std::string>());
-  return value.dump();
+  return value.is_number_float() ? real(value) : value.dump();
 }
 
 /// Quotes a text as JSON does, so that an empty one, or one with commas, can be seen.

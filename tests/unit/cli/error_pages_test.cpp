@@ -54,5 +54,9 @@ TEST(ErrorPages, WhatIsToldToAskLeadsToTheRow) {
   EXPECT_EQ(whatToAsk("anything: something else. Do this"), "");
 }
 
+TEST(ErrorPages, AGuessAtANameNeedsNoFurtherWords) {
+  EXPECT_EQ(whatToAsk("find verb 'pss': there are 'ps' and 'read'. Did you mean 'ps'?"), "");
+}
+
 }  // namespace
 }  // namespace suture::cli

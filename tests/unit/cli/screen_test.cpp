@@ -16,6 +16,9 @@ TEST(Screen, ShowsShortValuesOnOneLine) {
   EXPECT_EQ(valueText(Json::parse(R"({"a": [1, 2], "long": {"x": 1, "y": "t"}})")),
             "a     [1, 2]\nlong  {x: 1, y: \"t\"}\n");
   EXPECT_EQ(valueText(Json(42)), "42\n");
+  EXPECT_EQ(valueText(Json(-0.09350000000000003)), "-0.0935\n");
+  EXPECT_EQ(valueText(Json(1.0)), "1.0\n") << "it is no whole number";
+  EXPECT_EQ(valueText(Json(1.1248198369963932e-32)), "1.12482e-32\n");
   EXPECT_EQ(valueText(Json::object()), "{}\n");
 }
 
