@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -21,6 +22,8 @@ constexpr std::size_t kChunk = 16384;
 constexpr std::size_t kTrickle = 64;  // bytes each time
 constexpr auto kTricklePause = std::chrono::milliseconds(2);
 constexpr unsigned kFirstWords = 24;  // chunks: connecting takes fewer
+
+bool isDue(Time due) { return due <= now(); }
 
 bool wouldBlock() { return errno == EAGAIN || errno == EINTR; }
 
@@ -81,6 +84,14 @@ void ByteProxy::set(Mode mode) {
   wake();
 }
 
+void ByteProxy::delay(Duration each) {
+  {
+    const std::lock_guard lock(mutex_);
+    delay_ = each;
+  }
+  wake();
+}
+
 void ByteProxy::strike(Strike strike) {
   const std::lock_guard lock(mutex_);
   switch (strike) {
@@ -101,6 +112,7 @@ void ByteProxy::run() {
   for (;;) {
     waiting = {{listener_, POLLIN, 0}, {bell_, POLLIN, 0}};
     bool throttled = false;
+    Time next = Time::max();
     {
       const std::lock_guard lock(mutex_);
       if (stopping_) return;
@@ -110,12 +122,17 @@ void ByteProxy::run() {
         for (const bool there : {true, false}) {
           Stream& stream = there ? link.there : link.back;
           if (!passes(stream, there)) continue;
-          const bool full = !stream.waiting.empty();
-          waiting.push_back({full ? stream.to : stream.from, short(full ? POLLOUT : POLLIN), 0});
+          if (mayTake(stream)) waiting.push_back({stream.from, POLLIN, 0});
+          if (stream.waiting.empty()) continue;
+          const Time due = stream.waiting.front().due;
+          isDue(due) ? waiting.push_back({stream.to, POLLOUT, 0})
+                     : void(next = std::min(next, due));
         }
       }
     }
-    poll(waiting.data(), waiting.size(), -1);
+    const auto pause = std::chrono::ceil<std::chrono::milliseconds>(next - now());
+    poll(waiting.data(), waiting.size(),
+         next == Time::max() ? -1 : static_cast<int>(pause.count()));
     std::uint64_t rings;
     (void)!read(bell_, &rings, sizeof(rings));
     if (throttled) std::this_thread::sleep_for(kTricklePause);
@@ -127,6 +144,11 @@ void ByteProxy::run() {
       return true;
     });
   }
+}
+
+// Without a delay the sender feels it when the receiver does not take what it sends.
+bool ByteProxy::mayTake(const Stream& stream) const {
+  return stream.waiting.empty() || delay_ > Duration{0};
 }
 
 bool ByteProxy::passes(const Stream& stream, bool there) const {
@@ -159,7 +181,7 @@ bool ByteProxy::serve(Link& link) {
   for (const bool there : {true, false}) {
     Stream& stream = there ? link.there : link.back;
     if (!passes(stream, there)) continue;
-    if ((stream.waiting.empty() && !take(link, there)) || !give(stream)) stream.ended = true;
+    if ((mayTake(stream) && !take(link, there)) || !give(stream)) stream.ended = true;
   }
   return link.endless || (!link.there.ended && !link.back.ended);
 }
@@ -168,14 +190,17 @@ bool ByteProxy::take(Link& link, bool there) {
   Stream& stream = there ? link.there : link.back;
   std::array<std::byte, kChunk> bytes;
   const std::size_t most = mode_ == Mode::Throttle ? kTrickle : bytes.size();
+  Chunk chunk;
   const ssize_t count =
-      rpc::receiveWith(stream.from, std::span(bytes).first(most), stream.descriptors);
+      rpc::receiveWith(stream.from, std::span(bytes).first(most), chunk.descriptors);
   if (count < 0) return wouldBlock();
   if (count == 0) {
     stream.ended = true;
     return true;
   }
-  stream.waiting.assign(bytes.begin(), bytes.begin() + count);
+  chunk.due = now() + delay_;
+  chunk.bytes.assign(bytes.begin(), bytes.begin() + count);
+  stream.waiting.push_back(std::move(chunk));
   ++link.said;
   hurt(link, there);
   return true;
@@ -183,7 +208,7 @@ bool ByteProxy::take(Link& link, bool there) {
 
 void ByteProxy::hurt(Link& link, bool there) {
   Stream& stream = there ? link.there : link.back;
-  std::vector<std::byte>& bytes = stream.waiting;
+  std::vector<std::byte>& bytes = stream.waiting.back().bytes;
   if (link.said > kFirstWords && std::exchange(flips_, false)) {
     const auto bit = std::uniform_int_distribution<std::size_t>(0, 8 * bytes.size() - 1)(random_);
     bytes[bit / 8] ^= std::byte{1} << bit % 8;
@@ -197,11 +222,15 @@ void ByteProxy::hurt(Link& link, bool there) {
 }
 
 bool ByteProxy::give(Stream& stream) {
-  if (stream.waiting.empty()) return true;
-  const ssize_t count = rpc::sendWith(stream.to, stream.waiting, stream.descriptors);
-  if (count < 0) return wouldBlock();
-  stream.descriptors.clear();
-  stream.waiting.erase(stream.waiting.begin(), stream.waiting.begin() + count);
+  while (!stream.waiting.empty() && isDue(stream.waiting.front().due)) {
+    auto& [due, bytes, descriptors] = stream.waiting.front();
+    const ssize_t count = rpc::sendWith(stream.to, bytes, descriptors);
+    if (count < 0) return wouldBlock();
+    descriptors.clear();
+    bytes.erase(bytes.begin(), bytes.begin() + count);
+    if (!bytes.empty()) return true;
+    stream.waiting.pop_front();
+  }
   return true;
 }
 

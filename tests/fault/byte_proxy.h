@@ -1,12 +1,14 @@
 #pragma once
 // This stands between two processes and breaks what they say, by the byte.
 
+#include <suture/base/time.h>
 #include <suture/net/address.h>
 #include <suture/net/descriptor_passing.h>
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <list>
 #include <mutex>
 #include <random>
@@ -46,6 +48,8 @@ class ByteProxy {
   const std::string& address() const { return address_; }  ///< where it listens
   /// Sets the mode from now on, for connections present and to come.
   void set(Mode mode);
+  /// Lets bytes pass so much later from now on, each way, as over a long distance.
+  void delay(Duration each);
   /// Strikes now; returns when it has been done, or at the latest with what the callers say next.
   void strike(Strike strike);
 
@@ -53,10 +57,15 @@ class ByteProxy {
   std::uint64_t injected() const { return injected_; }
 
  private:
+  /// Has been read and not yet been written.
+  struct Chunk {
+    Time due{};
+    std::vector<std::byte> bytes;
+    rpc::Descriptors descriptors;  // which go with those
+  };
   struct Stream {
     int from = -1, to = -1;
-    std::vector<std::byte> waiting;  // has been read and not yet been written
-    rpc::Descriptors descriptors;    // which go with that
+    std::deque<Chunk> waiting;
     bool ended = false;
   };
   struct Link {
@@ -71,6 +80,7 @@ class ByteProxy {
   void wake();
   void accept();
   bool passes(const Stream& stream, bool there) const;
+  bool mayTake(const Stream& stream) const;
   bool serve(Link& link);
   bool take(Link& link, bool there);
   static bool give(Stream& stream);
@@ -82,6 +92,7 @@ class ByteProxy {
   std::mutex mutex_;  // of what follows
   std::mt19937 random_;
   Mode mode_ = Mode::Forward;
+  Duration delay_{0};
   bool truncates_ = false, flips_ = false, stopping_ = false;
   std::list<Link> links_;
   std::atomic<std::uint64_t> injected_{0};

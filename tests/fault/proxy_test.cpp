@@ -1,15 +1,12 @@
 // A client and its provider have a proxy between them that breaks what they say, on each lane.
 
 #include <gtest/gtest.h>
-#include <suture/loop/control_thread.h>
-#include <suture/names/manager_link.h>
 
 #include <functional>
 #include <thread>
 
-#include "fault/byte_proxy.h"
+#include "fault/forwarder.h"
 #include "fault/system.h"
-#include "support/patience.h"
 
 namespace suture {
 namespace {
@@ -18,38 +15,6 @@ using namespace std::chrono_literals;
 using Mode = ByteProxy::Mode;
 using Strike = ByteProxy::Strike;
 using Kind = HistoryEntry::Kind;
-
-/// Tells the global manager what a process that forwards a port would: a name, and where it is.
-class Forwarder {
- public:
-  /// Its proxy listens at `here`.
-  Forwarder(const std::string& manager, const std::string& name, const std::string& behind,
-            const rpc::Address& here, unsigned seed) {
-    control_.run(kPatience, [&, name, behind, here, address = rpc::Address::parse(manager)] {
-      link_ = std::make_unique<ManagerLink>(control_, std::vector{address}, "forwarder");
-      return link_->open(kPatience)
-          .then([this, behind] { return link_->resolve(behind, kPatience); })
-          .then([this, name, here, seed](ProcessRecord found) {
-            const auto target = rpc::Address::parse(found.addresses.at(0));
-            proxy = std::make_unique<ByteProxy>(here, target, seed);
-            found.name = name;
-            found.addresses = {proxy->address()};
-            return link_->enrol(found);
-          });
-    });
-  }
-  ~Forwarder() {
-    control_.run(kPatience, [this] { link_.reset(); });
-  }
-  Forwarder(const Forwarder&) = delete;
-  Forwarder& operator=(const Forwarder&) = delete;
-
-  std::unique_ptr<ByteProxy> proxy;
-
- private:
-  rpc::ControlThread control_;
-  std::unique_ptr<ManagerLink> link_;
-};
 
 class Proxy : public testing::TestWithParam<const char*> {
  protected:

@@ -23,7 +23,7 @@ kj::Own<rpc::Link> reach(rpc::EventPort& loop, const rpc::Address& address, cons
   auto reached = lookup.places(limit).then([&](std::vector<rpc::Address> places) {
     return rpc::reachFirst(loop, std::move(places), trust, expected, limit);
   });
-  auto bytes = wait(loop, 2 * limit + std::chrono::seconds(1), kj::mv(reached), noAnswer(address));
+  auto bytes = wait(loop, 4 * limit + std::chrono::seconds(1), kj::mv(reached), noAnswer(address));
   auto stream = kj::heap<rpc::MessageStream>(loop, kj::mv(bytes));
   return kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
 }

@@ -135,7 +135,7 @@ kj::Promise<ProcessRecord> ManagerLink::askAll(const std::string& process, Durat
   return first;
 }
 
-kj::Promise<rpc::ByteStream> ManagerLink::reach(const ProcessRecord& process, Duration deadline) {
+kj::Promise<rpc::ByteStream> ManagerLink::reach(const ProcessRecord& process, Duration limit) {
   if (process.addresses.empty()) {
     return rpc::failure(Type::FAILED, "process '" + process.name + "' has no address. Restart it.");
   }
@@ -148,7 +148,7 @@ kj::Promise<rpc::ByteStream> ManagerLink::reach(const ProcessRecord& process, Du
                           ", and the global manager is reached at " + manager.text() +
                           ". Start that process with the same address.");
   }
-  return rpc::reach(control_.port(), address, trust_, process.name, deadline);
+  return rpc::reach(control_.port(), address, trust_, process.name, limit);
 }
 
 kj::Promise<std::vector<ProcessRecord>> ManagerLink::list() {

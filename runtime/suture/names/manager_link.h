@@ -38,8 +38,9 @@ class ManagerLink {
   /// Once open: returns where peers of the network of that manager reach this machine, with port 0.
   const rpc::Address& here() const { return nearest().here(); }
   /// Resolves to a stream to a process that the managers know. It is no less safe than the links to
-  /// them: an address that they got from others does not lead out of TLS.
-  kj::Promise<rpc::ByteStream> reach(const ProcessRecord& process, Duration deadline);
+  /// them: an address that they got from others does not lead out of TLS. rpc::reach() says what
+  /// `limit` holds for.
+  kj::Promise<rpc::ByteStream> reach(const ProcessRecord& process, Duration limit);
   /// Any thread. Returns the addresses of the managers that do not answer or do not know this
   /// process.
   std::string missing() const;

@@ -109,9 +109,9 @@ void requireKeys(const Address& address, const Trust& trust) {
 }
 
 kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Trust& trust,
-                              const std::string& expected, Duration deadline) {
+                              const std::string& expected, Duration limit) {
   requireKeys(address, trust);
-  auto dialled = dial(port, address, deadline);
+  auto dialled = dial(port, address, limit);
   if (address.kind != Address::Kind::Tls) {
     return dialled
         .then([address, trust](kj::AutoCloseFd socket) {
@@ -120,8 +120,8 @@ kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Tru
         .then([address](ByteStream stream) { return checkClock(kj::mv(stream), address); });
   }
   return dialled
-      .then([&port, address, trust, deadline](kj::AutoCloseFd socket) {
-        return handshake(port, kj::mv(socket), trust.keys, tls::Session::Side::Client, deadline)
+      .then([&port, address, trust, limit](kj::AutoCloseFd socket) {
+        return handshake(port, kj::mv(socket), trust.keys, tls::Session::Side::Client, 2 * limit)
             .catch_([address](kj::Exception&& error) -> kj::Promise<ByteStream> {
               return cannotTalk(address, describe(error), error.getType());
             });
@@ -132,14 +132,14 @@ kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Tru
 }
 
 kj::Promise<ByteStream> reachFirst(EventPort& port, std::vector<Address> places, const Trust& trust,
-                                   const std::string& expected, Duration deadline) {
-  auto reached = reach(port, places.front(), trust, expected, deadline);
+                                   const std::string& expected, Duration limit) {
+  auto reached = reach(port, places.front(), trust, expected, limit);
   places.erase(places.begin());
   if (places.empty()) return reached;
   return reached.catch_([&port, places = std::move(places), trust, expected,
-                         deadline](kj::Exception&& failure) -> kj::Promise<ByteStream> {
+                         limit](kj::Exception&& failure) -> kj::Promise<ByteStream> {
     if (failure.getType() != kj::Exception::Type::DISCONNECTED) return kj::mv(failure);
-    return reachFirst(port, places, trust, expected, deadline);
+    return reachFirst(port, places, trust, expected, limit);
   });
 }
 

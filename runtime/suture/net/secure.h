@@ -24,14 +24,15 @@ kj::Promise<ByteStream> handshake(EventPort& port, kj::AutoCloseFd socket,
 /// The control thread. Returns a stream to the process `expected` at `address`. It is dialled and,
 /// for tls://, has proved that it is that process; on a Unix socket, it has proved that a trusted
 /// user runs it. Rejects with what was asked, what was found and what to do, as DISCONNECTED if
-/// trying again may help. Gives up at `deadline` from now.
+/// trying again may help. Waits for `limit` to be connected, and twice as long for the handshake of
+/// TLS, which takes two round trips.
 kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Trust& trust,
-                              const std::string& expected, Duration deadline);
+                              const std::string& expected, Duration limit);
 
 /// Does what reach() does, at the first of `places` that can be reached; they are all of one host.
-/// `deadline` holds for each of them.
+/// `limit` holds for each of them.
 kj::Promise<ByteStream> reachFirst(EventPort& port, std::vector<Address> places, const Trust& trust,
-                                   const std::string& expected, Duration deadline);
+                                   const std::string& expected, Duration limit);
 
 /// Throws SetupError if `address` needs keys and there are none.
 void requireKeys(const Address& address, const Trust& trust);

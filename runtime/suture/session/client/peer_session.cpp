@@ -11,7 +11,10 @@
 namespace suture {
 namespace {
 
+// The best of so many answers counts. Over a long way fewer are awaited, because what they differ
+// by is little beside the time that each takes, and the heartbeat asks on.
 constexpr unsigned kClockQuestions = 8;
+constexpr Duration kClockTime = std::chrono::milliseconds(100);
 
 }  // namespace
 
@@ -53,20 +56,25 @@ kj::Promise<void> PeerSession::greet(const SessionIdentity& self) {
     }
     clock_.add(asked, results.getReceived(), results.getSent(), now());
     heartbeat_.onAnswer([this](Time when, auto answer) { follow(when, answer); });
-    return compareClocks(kClockQuestions);
+    return kj::READY_NOW;
   });
 }
 
-kj::Promise<void> PeerSession::compareClocks(unsigned times) {
-  if (times == 0) {
+kj::Promise<void> PeerSession::compareClocks() {
+  if (clock_.isOne()) return kj::READY_NOW;
+  return askForClock(now(), kClockQuestions);
+}
+
+kj::Promise<void> PeerSession::askForClock(Time begun, unsigned times) {
+  if (times == 0 || now() - begun >= kClockTime) {
     noteClock();
     tellClock();
     return kj::READY_NOW;
   }
   const Time asked = now();
-  return peer_.pingRequest().send().then([this, asked, times](auto&& told) {
+  return peer_.pingRequest().send().then([=, this](auto&& told) {
     clock_.add(asked, told.getReceived(), told.getSent(), now());
-    return compareClocks(times - 1);
+    return askForClock(begun, times - 1);
   });
 }
 
@@ -98,10 +106,17 @@ void PeerSession::bear(Duration silence) {
   for (auto& lane : lanes_) lane->bear(silence);
 }
 
+template <class T>
+kj::Promise<T> PeerSession::inTime(kj::Promise<T> step) {
+  return rpc::within(control_.timer(), kDialLimit, kj::mv(step),
+                     "the provider gives no second connection in time");
+}
+
 kj::Promise<LaneSocket> PeerSession::openSocket(const char* lane) {
   auto request = peer_.socketRequest();
   request.setLane(lane);
-  auto opened = request.send().then([this](auto&& results) -> kj::Promise<LaneSocket> {
+  using Results = capnp::Response<wire::Peer::SocketResults>;
+  return inTime<Results>(request.send()).then([this](Results&& results) -> kj::Promise<LaneSocket> {
     rpc::Token token;
     const auto told = results.getToken();
     if (told.size() != token.size()) {
@@ -110,14 +125,12 @@ kj::Promise<LaneSocket> PeerSession::openSocket(const char* lane) {
     std::memcpy(token.data(), told.begin(), token.size());
     return manager_.reach(process_, kDialLimit)
         .then([this, token](rpc::ByteStream bytes) {
-          return rpc::exchangeToken(control_.port(), kj::mv(bytes), token);
+          return inTime(rpc::exchangeToken(control_.port(), kj::mv(bytes), token));
         })
         .then([number = results.getNumber()](rpc::ByteStream bytes) {
           return LaneSocket{number, kj::mv(bytes)};
         });
   });
-  return rpc::within(control_.timer(), kDialLimit, kj::mv(opened),
-                     "the provider gives no second connection in time");
 }
 
 }  // namespace suture

@@ -15,7 +15,7 @@
 
 namespace suture {
 
-/// Limits the time that a peer may take to let a new socket be used.
+/// Limits the time that a peer may take for each answer while a new socket is opened.
 inline constexpr Duration kDialLimit = std::chrono::seconds(2);
 
 /// Says who this process is to its peers.
@@ -36,8 +36,10 @@ class PeerSession final : private ClientSession {
   ~PeerSession() noexcept(false);
   KJ_DISALLOW_COPY(PeerSession);
 
-  /// Says hello and compares the clocks. Call it first, and once.
+  /// Says hello. Call it first, and once.
   kj::Promise<void> greet(const SessionIdentity& self);
+  /// Compares the clocks. Call it next, and once.
+  kj::Promise<void> compareClocks();
 
   wire::Peer::Client peer() { return peer_; }
   std::uint64_t peersIncarnation() const { return peersIncarnation_; }
@@ -66,7 +68,9 @@ class PeerSession final : private ClientSession {
   bool hasOneClock() const override { return clock_.isOne(); }
   kj::Promise<LaneSocket> openSocket(const char* lane) override;
 
-  kj::Promise<void> compareClocks(unsigned times);
+  kj::Promise<void> askForClock(Time begun, unsigned times);
+  template <class T>
+  kj::Promise<T> inTime(kj::Promise<T> step);
   void follow(Time asked, wire::Peer::PingResults::Reader answer);
   void noteClock();
   void tellClock();

@@ -14,11 +14,19 @@ namespace {
 using Type = kj::Exception::Type;
 
 constexpr Duration kFirstRedialPause = std::chrono::milliseconds(50);
-// A pause and an attempt that fails take together less than a second, within which the connection
-// is to be back after a fault.
+// Attempts begin at least so long after each other, however fast they fail.
 constexpr Duration kLongestRedialPause = std::chrono::milliseconds(250);
-constexpr Duration kTakeOverLimit = std::chrono::milliseconds(500);
+// After a short fault another attempt comes soon. Later ones wait as long for an answer as a first
+// connection does, because the way to the peer may have become longer. Each begins when its
+// predecessor has ended, so that the kernel knocks once in a second at least.
+constexpr Duration kFirstAnswerLimit = std::chrono::milliseconds(500);
 constexpr Duration kComeBackPatience = std::chrono::seconds(5);
+// Is how long an attempt may take whose answers all come in time. Network::connect() waits longer.
+constexpr Duration kAttemptLimit = std::chrono::seconds(9);
+
+bool mayPass(const kj::Exception& failure) {
+  return failure.getType() == Type::DISCONNECTED || failure.getType() == Type::OVERLOADED;
+}
 
 std::string microseconds(Duration duration) {
   return std::to_string(std::chrono::duration_cast<std::chrono::microseconds>(duration).count()) +
@@ -66,15 +74,19 @@ void RemoteConnection::end() {
 }
 
 kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
-  auto connected =
-      sessions_.open(to_.process, patience, limit)
-          .then([this, limit](std::shared_ptr<PeerSession> session) {
-            session_ = std::move(session);
-            return rpc::within(control_.timer(), limit, introduce(), noAnswerOf(to_.process));
-          });
+  limit_ = limit;
+  auto connected = sessions_.open(to_.process, patience, limit)
+                       .then([this](std::shared_ptr<PeerSession> session) {
+                         session_ = std::move(session);
+                         return introduce();
+                       });
   // The manager itself answers in time, so only the peer can be late.
-  return rpc::within(control_.timer(), patience + kDialLimit, kj::mv(connected),
-                     noAnswerOf(to_.process));
+  return inTime(patience + kAttemptLimit, kj::mv(connected));
+}
+
+template <class T>
+kj::Promise<T> RemoteConnection::inTime(Duration limit, kj::Promise<T> answer) {
+  return rpc::within(control_.timer(), limit, kj::mv(answer), noAnswerOf(to_.process));
 }
 
 // Does not connect to a provider that hangs, because the connection would be lost at once.
@@ -85,11 +97,12 @@ kj::Promise<void> RemoteConnection::introduce() {
                       [this, out = kj::mv(lost.fulfiller)](const std::string& why) mutable {
                         out->reject(whyNotIntroduced(why));
                       });
-  auto asked =
-      watch->whenItWorks().then([this] { return requireClocksThatCanTell(); }).then([this] {
-        laneReason_.clear();
-        return ask(firstLane());
-      });
+  auto asked = inTime(limit_, watch->whenItWorks())
+                   .then([this] { return requireClocksThatCanTell(); })
+                   .then([this] {
+                     laneReason_.clear();
+                     return ask(firstLane());
+                   });
   return lost.promise.exclusiveJoin(kj::mv(asked)).attach(kj::mv(watch));
 }
 
@@ -166,7 +179,8 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::attempt(LaneClient& lane, 
             LaneAttempt& made = *attempt;
             return request(made, name).attach(kj::mv(attempt));
           },
-          [](kj::Exception&& failure) -> kj::Promise<Reason> {
+          [this](kj::Exception&& failure) -> kj::Promise<Reason> {
+            if (comesBack() && mayPass(failure)) return kj::mv(failure);
             return Reason(rpc::describe(failure));
           });
 }
@@ -176,8 +190,9 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::request(LaneAttempt& attem
   auto request = session_->peer().connectRequest();
   fillIn(request, name);
   attempt.request(request.initBrings());
-  return request.send().then(
-      [this, &attempt](Results&& results) { return begin(attempt, kj::mv(results)); });
+  return inTime<Results>(limit_, request.send()).then([this, &attempt](Results&& results) {
+    return begin(attempt, kj::mv(results));
+  });
 }
 
 void RemoteConnection::fillIn(wire::ConnectRequest::Builder request, const char* lane) {
@@ -251,7 +266,9 @@ void RemoteConnection::lose(std::string why) {
               listener_.lost(name(), std::move(why));
               drop();
               comingBack_ =
-                  comeBack(kFirstRedialPause).then([this] { keep(); }).eagerlyEvaluate(nullptr);
+                  comeBack(fromNow(kFirstRedialPause), kFirstRedialPause, kFirstAnswerLimit)
+                      .then([this] { keep(); })
+                      .eagerlyEvaluate(nullptr);
             }).eagerlyEvaluate(nullptr);
 }
 
@@ -264,13 +281,14 @@ void RemoteConnection::drop() {
   session_ = nullptr;
 }
 
-kj::Promise<void> RemoteConnection::comeBack(Duration pause) {
+kj::Promise<void> RemoteConnection::comeBack(Time next, Duration pause, Duration limit) {
   return control_.timer()
-      .afterDelay(rpc::toKj(pause))
-      .then([this] { return connect(kComeBackPatience, kTakeOverLimit); })
-      .catch_([this, pause](kj::Exception&&) {
+      .afterDelay(rpc::toKj(std::max(next - now(), Duration{0})))
+      .then([this, limit] { return connect(kComeBackPatience, limit); })
+      .catch_([=, this](kj::Exception&&) {
         drop();
-        return comeBack(std::min(2 * pause, kLongestRedialPause));
+        const Duration longer = std::min(2 * pause, kLongestRedialPause);
+        return comeBack(next + longer, longer, std::min(2 * limit, kDialLimit));
       });
 }
 

@@ -48,6 +48,8 @@ class RemoteConnection {
 
   /// `limit` says how long the peer may take for each answer.
   kj::Promise<void> connect(Duration patience, Duration limit);
+  template <class T>
+  kj::Promise<T> inTime(Duration limit, kj::Promise<T> answer);
   kj::Promise<void> introduce();
   kj::Exception whyNotIntroduced(const std::string& why) const;
   kj::Promise<void> requireClocksThatCanTell();
@@ -57,7 +59,8 @@ class RemoteConnection {
   kj::Promise<void> askNext(std::size_t lane);
   /// Asks for the connection on that lane or, if it cannot be had, on a later one.
   kj::Promise<void> ask(std::size_t lane);
-  /// Resolves to the reason if that lane cannot be had; rejects if none can.
+  /// Resolves to the reason if that lane cannot be had; rejects if none can, or if one that was had
+  /// before may be had again soon.
   kj::Promise<kj::Maybe<std::string>> attempt(LaneClient& lane, const char* name);
   kj::Promise<kj::Maybe<std::string>> request(LaneAttempt& attempt, const char* name);
   void fillIn(wire::ConnectRequest::Builder request, const char* lane);
@@ -68,8 +71,10 @@ class RemoteConnection {
   void keep();
   void letGo();
   void lose(std::string why);
-  kj::Promise<void> comeBack(Duration pause);
+  /// Begins an attempt at `next`; after those that fail, waits longer for the next one's answers.
+  kj::Promise<void> comeBack(Time next, Duration pause, Duration limit);
   void drop();
+  bool comesBack() const { return comingBack_ != nullptr; }
 
   rpc::ControlThread& control_;
   Sessions& sessions_;
@@ -82,6 +87,7 @@ class RemoteConnection {
   const std::shared_ptr<ConnectionWatch> watch_;  // of all its channels
   const std::shared_ptr<Ledger> ledger_;
   const Duration longestSilence_;
+  Duration limit_{0};       // for each answer, in this attempt
   std::string laneReason_;  // why it is not a faster lane
   EventSet asked_ = 0;      // the events that were subscribed to when it was asked
   std::shared_ptr<PeerSession> session_;

@@ -26,13 +26,17 @@ kj::Promise<std::shared_ptr<PeerSession>> Sessions::dial(const std::string& proc
                                                          Duration patience, Duration limit) {
   return manager_.resolve(process, patience)
       .then([this, process, limit](const ProcessRecord& record) {
-        auto greeted = manager_.reach(record, std::min(limit, kDialLimit))
-                           .then([this, record](rpc::ByteStream bytes) {
-                             auto session = std::make_shared<PeerSession>(
-                                 control_, manager_, lanes_, record, kj::mv(bytes));
-                             return session->greet(self_).then([session] { return session; });
-                           });
-        return rpc::within(control_.timer(), limit, kj::mv(greeted), noAnswerOf(process));
+        const auto inTime = [this, process, limit](kj::Promise<void> answer) {
+          return rpc::within(control_.timer(), limit, kj::mv(answer), noAnswerOf(process));
+        };
+        return manager_.reach(record, std::min(limit, kDialLimit))
+            .then([this, record, inTime](rpc::ByteStream bytes) {
+              auto session =
+                  std::make_shared<PeerSession>(control_, manager_, lanes_, record, kj::mv(bytes));
+              return inTime(session->greet(self_))
+                  .then([session, inTime] { return inTime(session->compareClocks()); })
+                  .then([session] { return session; });
+            });
       });
 }
 

@@ -18,8 +18,8 @@ class Sessions {
       : control_(control), manager_(manager), lanes_(lanes), self_(std::move(self)) {}
 
   /// Resolves to the session with `process`: the one that exists, or a new one. Then it waits for
-  /// the process no longer than `patience`, and for its answer no longer than `limit`. Rejects with
-  /// the reason. The session ends when the last reference to it is gone.
+  /// the process no longer than `patience`, and for each of its answers no longer than `limit`.
+  /// Rejects with the reason. The session ends when the last reference to it is gone.
   kj::Promise<std::shared_ptr<PeerSession>> open(const std::string& process, Duration patience,
                                                  Duration limit);
 
