@@ -288,7 +288,8 @@ std::vector<Trouble> Host::componentTroubles() const {
 
 std::vector<Trouble> Host::connectionTroubles() const {
   std::vector<Trouble> found;
-  const std::map<std::string, std::string> whyLost = manager_->whyLost();
+  const std::map<std::string, std::string> whyLost = manager_->whyLost(),
+                                           whyNotBack = manager_->whyNotBack();
   for (const auto& channel : manager_->channels()) {
     const std::string subject = "connection '" + channel->name() + "'";
     // A delayed connection has both of its ends in this process: report it once.
@@ -296,6 +297,9 @@ std::vector<Trouble> Host::connectionTroubles() const {
     switch (channel->status.load(std::memory_order_acquire)) {
       case ChannelStatus::Lost:
         found.push_back({subject, lossText(whyLost, channel->name()), true, true});
+        if (const auto why = whyNotBack.find(channel->name()); why != whyNotBack.end()) {
+          found.back().more = "cannot be made anew: " + why->second;
+        }
         break;
       case ChannelStatus::Faulted:
         found.push_back({subject,

@@ -27,6 +27,7 @@ struct Trouble {
   std::string text;     ///< "is lost: the other process does not answer. Start it again"
   bool failure = true;  ///< false: the process does all that it is for
   bool loss = false;    ///< true: another process is lost, or this is due to that
+  std::string more{};   ///< what has been found since: "cannot be made anew: ..."; "": nothing
 };
 
 /// Used by one thread, which is no task's. Has the components, the manager and the connections of

@@ -171,15 +171,26 @@ class Run {
   // While this process ends, losses due to other processes are no news.
   void notice(const std::vector<Trouble>& present, bool ending) {
     for (const Trouble& trouble : present) {
-      const bool old = std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
+      if (ending && trouble.loss) continue;
+      auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& one) {
         return one.trouble.subject == trouble.subject;
       });
-      if (old || (ending && trouble.loss)) continue;
-      const std::string text = trouble.subject + " " + trouble.text;
-      tell(text);
-      if (trouble.failure) reports_.failure(text, trouble.loss);
-      known_.push_back({trouble, now()});
+      if (known == known_.end()) {
+        tell(trouble, trouble.text);
+        known_.push_back({trouble, now()});
+        known = known_.end() - 1;
+        known->trouble.more.clear();
+      }
+      if (trouble.more == known->trouble.more) continue;
+      known->trouble.more = trouble.more;
+      if (!trouble.more.empty()) tell(trouble, trouble.more);
     }
+  }
+
+  void tell(const Trouble& trouble, const std::string& what) {
+    const std::string text = trouble.subject + " " + what;
+    tell(text);
+    if (trouble.failure) reports_.failure(text, trouble.loss);
   }
 
   void tellOfReports() {

@@ -365,6 +365,10 @@ std::map<std::string, std::string> Manager::whyLost() const {
   return network_ == nullptr ? std::map<std::string, std::string>{} : network_->whyLost();
 }
 
+std::map<std::string, std::string> Manager::whyNotBack() const {
+  return network_ == nullptr ? std::map<std::string, std::string>{} : network_->whyNotBack();
+}
+
 std::uint64_t Manager::incarnation() const {
   return network_ == nullptr ? 0 : network_->incarnation();
 }

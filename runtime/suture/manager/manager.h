@@ -123,6 +123,9 @@ class Manager {
   /// Returns, by the name of the connection, why the provider in another process was lost last: it
   /// closed the connection, fell silent or hung. The reason stays when it is back.
   std::map<std::string, std::string> whyLost() const;
+  /// Returns, by the name of the connection, why one that is lost cannot be made anew: its process
+  /// is there and refuses it or does not answer. It is asked again and again all the same.
+  std::map<std::string, std::string> whyNotBack() const;
   /// Returns a number that distinguishes this start of the process from all others; 0 without a
   /// global manager.
   std::uint64_t incarnation() const;

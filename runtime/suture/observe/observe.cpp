@@ -5,6 +5,8 @@
 #include <suture/rt/processor_clock.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace suture {
 namespace {
@@ -103,6 +105,11 @@ DeviceReport reportOf(const Component& device) {
           .faults = device.faults()};
 }
 
+std::string reasonOf(const Channel& channel, const std::map<std::string, std::string>& reasons) {
+  const auto found = reasons.find(channel.name());
+  return found == reasons.end() ? "" : found->second;
+}
+
 }  // namespace
 
 Report observe(const Manager& manager, Time began) {
@@ -110,14 +117,15 @@ Report observe(const Manager& manager, Time began) {
   const std::vector<Component*> components = manager.directory().components();
   report.incarnation = manager.incarnation();
   report.refusals = manager.refusals();
-  const auto whyLost = manager.whyLost();
+  const auto whyLost = manager.whyLost(), whyNotBack = manager.whyNotBack();
   for (const auto& channel : manager.channels()) {
     if (channel->terms.ledger != nullptr && !channel->terms.ledger->isLatest(*channel)) continue;
     ConnectionReport& one = report.connections.emplace_back(reportOf(channel));
-    const auto why = whyLost.find(channel->name());
     if (channel->terms.ledger == nullptr)
       one.otherIncarnation = report.incarnation;  // both are here
-    if (one.end != ConnectionEnd::Provider && why != whyLost.end()) one.whyLost = why->second;
+    if (one.end == ConnectionEnd::Provider) continue;
+    one.whyLost = reasonOf(*channel, whyLost);
+    one.whyNotBack = reasonOf(*channel, whyNotBack);
   }
   for (const Component* component : components) {
     if (component->ownsThread()) {

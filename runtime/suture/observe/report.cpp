@@ -87,6 +87,7 @@ void eachField(Connection& value, const Visit& visit) requires
   visit("end", value.end);
   visit("status", value.status);
   visit("why_lost", value.whyLost);
+  visit("why_not_back", value.whyNotBack);
   visit("bytes_sent", value.bytesSent);
   visit("bytes_received", value.bytesReceived);
   visit("contract", value.contract);

@@ -46,6 +46,8 @@ struct ConnectionReport : Tally {
   ConnectionEnd end = ConnectionEnd::Both;
   ChannelStatus status = ChannelStatus::Connected;
   std::string whyLost;  ///< the last time, at the client's end: "silent: ..."; "" if it never was
+  /// Says why the client's end, which is lost, cannot be made anew; "": it is not lost, or may be.
+  std::string whyNotBack;
   std::uint64_t bytesSent = 0, bytesReceived = 0;  ///< on the wire; 0 within a process
 
   /// Is known at the client's end; none at the provider's, and for a connection without a contract.

@@ -100,6 +100,7 @@ std::string lines(const ConnectionReport& one) {
   }
   if (!one.laneReason.empty()) text += "\n    no faster lane: " + one.laneReason;
   if (!one.whyLost.empty()) text += ", last loss: " + one.whyLost;
+  if (!one.whyNotBack.empty()) text += ", not back: " + one.whyNotBack;
   return text + distributed("age of reads", one.readAge) +
          distributed("age of commands", one.commandAge) + "\n";
 }

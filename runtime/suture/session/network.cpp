@@ -106,12 +106,19 @@ class Network::Impl {
           .made =
               [this, name](std::shared_ptr<Channel> channel) {
                 std::lock_guard lock(mutex_);
+                whyNotBack_.erase(channel->name());
                 connected_[name] = std::move(channel);
               },
           .lost =
               [this](const std::string& channel, std::string why) {
                 std::lock_guard lock(mutex_);
                 whyLost_[channel] = std::move(why);
+                whyNotBack_.erase(channel);
+              },
+          .notBack =
+              [this](const std::string& channel, std::string why) {
+                std::lock_guard lock(mutex_);
+                whyNotBack_[channel] = std::move(why);
               }};
       auto& connection = connections_[name];
       connection = std::make_unique<RemoteConnection>(
@@ -154,6 +161,11 @@ class Network::Impl {
   std::map<std::string, std::string> whyLost() const {
     std::lock_guard lock(mutex_);
     return whyLost_;
+  }
+
+  std::map<std::string, std::string> whyNotBack() const {
+    std::lock_guard lock(mutex_);
+    return whyNotBack_;
   }
 
   /// Ends what belongs to the control thread, in that thread.
@@ -243,7 +255,7 @@ class Network::Impl {
   std::map<std::string, std::unique_ptr<RemoteConnection>> connections_;  // by required interface
   mutable std::mutex mutex_;  // never taken by a task thread
   std::map<std::string, std::shared_ptr<Channel>> connected_;
-  std::map<std::string, std::string> whyLost_;
+  std::map<std::string, std::string> whyLost_, whyNotBack_;
 };
 
 Network::Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
@@ -278,6 +290,8 @@ std::map<std::string, std::shared_ptr<Channel>> Network::connected() const {
 }
 
 std::map<std::string, std::string> Network::whyLost() const { return impl_->whyLost(); }
+
+std::map<std::string, std::string> Network::whyNotBack() const { return impl_->whyNotBack(); }
 
 std::uint64_t Network::incarnation() const { return impl_->incarnation(); }
 

@@ -73,6 +73,8 @@ class Network {
   std::map<std::string, std::shared_ptr<Channel>> connected() const;
   /// Returns the last reason, in words, why each channel that was lost is, by the channel's name.
   std::map<std::string, std::string> whyLost() const;
+  /// Returns in words why each channel that is lost cannot be made anew, by the channel's name.
+  std::map<std::string, std::string> whyNotBack() const;
   /// Returns a number that distinguishes this start of the process from all others; never 0.
   std::uint64_t incarnation() const;
   /// Counts what this process has refused to peers.

@@ -1,5 +1,6 @@
 """examples/04_contract_and_loss: the client is told how its provider does, and holds still until it is back."""
 
+import json
 import signal
 import unittest
 
@@ -36,6 +37,22 @@ class ContractAndLoss(Example):
         self.assertEqual(held[1], back[1])
         self.await_line(self.robot.stderr, "is there again")
         self.end(self.robot)  # a loss that is over is no failure
+
+    def test_why_a_lost_provider_cannot_be_connected_to_anew_is_told(self):
+        self.console.kill()
+        self.await_line(self.robot.stderr, "is lost, closed: ")
+        changed = json.loads((self.folder / "deployment.json").read_text())
+        changed["connections"] = []
+        changed["processes"] = changed["processes"][:1]
+        changed["processes"][0]["components"][0]["name"] = "Gamepad"
+        file = self.folder / "changed.json"
+        file.write_text(json.dumps(changed))
+        console = self.start(EXAMPLE, "--deployment", file, "--process", "console")
+        self.await_line(self.robot.stderr, "^robot: connection 'robot:Axis/Joystick -> console:Joystick/Joystick' "
+                                           "cannot be made anew: .*'Gamepad'")
+        console.kill()
+        self.station_of("console")
+        self.await_line(self.robot.stderr, "is there again")
 
 
 unittest.main()

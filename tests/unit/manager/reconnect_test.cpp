@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "reference/still_arm.h"
+#include "support/contains.h"
 #include "support/eventually.h"
 #include "support/patience.h"
 #include "support/refusal.h"
@@ -282,6 +283,41 @@ TEST_P(StartedAgain, ClientsLoseItUntilTheyReconnect) {
   clients.disconnect("Teleop/Slave");
   connect();
   EXPECT_TRUE(eventually([&] { return arm.holds > before && client.error == Errc{}; }));
+}
+
+TEST(Reconnect, WhyALostConnectionCannotBeMadeAnewIsTold) {
+  const TemporaryDirectory directory;
+  rpc::ControlThread control;
+  const GlobalManager global(control, "unix:" + directory.file("m.sock"));
+  const std::string name = "here:Teleop/Slave -> there:PSM/Arm";
+  Client client;
+  Manager here{"here", global.address()};
+  here.add("Teleop", client);
+  here.start();
+  const auto provider = [&global](const char* component, ArmTask& arm) {
+    auto there = std::make_unique<Manager>("there", global.address());
+    there->add(component, arm);
+    there->start();
+    return there;
+  };
+  ArmTask first, renamed, second;
+  auto there = provider("PSM", first);
+  here.connect("Teleop/Slave", "there:PSM/Arm");
+  there = nullptr;
+  ASSERT_TRUE(eventually([&] { return client.error == Errc::Lost; }));
+  EXPECT_TRUE(here.whyNotBack().empty()) << "it is not there, which the loss has told";
+
+  there = provider("ECM", renamed);
+  ASSERT_TRUE(eventually([&] { return !here.whyNotBack().empty(); }));
+  const std::string why = here.whyNotBack().at(name);
+  EXPECT_TRUE(contains(why, "process 'there' has")) << why;
+  EXPECT_TRUE(contains(why, "'ECM'")) << why;
+  there = nullptr;
+
+  there = provider("PSM", second);
+  ASSERT_TRUE(eventually([&] { return client.error == Errc{}; }));
+  EXPECT_TRUE(here.whyNotBack().empty()) << here.whyNotBack().at(name);
+  EXPECT_FALSE(here.whyLost().at(name).empty()) << "that stays";
 }
 
 TEST(Reconnect, AStaleReadAwaitsTheOperator) {

@@ -13,6 +13,7 @@ suture::Report sample() {
   connection.lane = "rpc";
   connection.end = suture::ConnectionEnd::Provider;
   connection.status = suture::ChannelStatus::Lost;
+  connection.whyNotBack = "it has another contract";
   connection.bytesSent = 1;
   connection.bytesReceived = 2;
   connection.contract = {.staleReads = 51, .losses = 52, .awaitsOperator = true};
@@ -65,6 +66,7 @@ TEST(Report, EveryFieldIsInTheJson) {
   const auto& connection = json.at("connections").at(0);
   EXPECT_EQ(connection.at("end"), "provider");
   EXPECT_EQ(connection.at("status"), "lost");
+  EXPECT_EQ(connection.at("why_not_back"), "it has another contract");
   EXPECT_EQ(connection.at("contract").at("stale_reads"), 51);
   EXPECT_EQ(connection.at("contract").at("losses"), 52);
   EXPECT_EQ(connection.at("contract").at("awaits_operator"), true);

@@ -52,6 +52,7 @@ TEST(Text, TellsAllOfAProcess) {
 TEST(Text, TellsAllOfAConnection) {
   ConnectionReport one = connection(ConnectionEnd::Both);
   one.whyLost = "hung: it sleeps";
+  one.whyNotBack = "it sleeps still";
   one.contract = {.staleReads = 7, .losses = 1, .awaitsOperator = true};
   one.lastInvalid = "servo_cp.goal.pose";
   one.failed = 4;
@@ -69,7 +70,7 @@ TEST(Text, TellsAllOfAConnection) {
             "    sent 100, executed 95, dropped 3, late 2, stale reads 7, losses 1, awaits its "
             "operator, last invalid servo_cp.goal.pose, failed 4, events dropped 5, lost 9, "
             "unknown 10, under way 11, messages lost 6, "
-            "duplicated 7, overtaken 8, last loss: hung: it sleeps\n");
+            "duplicated 7, overtaken 8, last loss: hung: it sleeps, not back: it sleeps still\n");
 }
 
 TEST(Text, TellsWhatWasRefusedToPeers) {

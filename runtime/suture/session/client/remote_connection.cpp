@@ -1,3 +1,4 @@
+#include <suture/base/plain.h>
 #include <suture/lane/delay/delay_thread.h>
 #include <suture/loop/deadline.h>
 #include <suture/loop/failure.h>
@@ -23,6 +24,12 @@ constexpr Duration kFirstAnswerLimit = std::chrono::milliseconds(500);
 constexpr Duration kComeBackPatience = std::chrono::seconds(5);
 // Is how long an attempt may take whose answers all come in time. Network::connect() waits longer.
 constexpr Duration kAttemptLimit = std::chrono::seconds(9);
+
+/// Returns what two texts have in common that differ by how long or how wrong something is.
+std::string withoutNumbers(std::string text) {
+  std::erase_if(text, [](char one) { return one >= '0' && one <= '9'; });
+  return text;
+}
 
 bool mayPass(const kj::Exception& failure) {
   return failure.getType() == Type::DISCONNECTED || failure.getType() == Type::OVERLOADED;
@@ -264,6 +271,7 @@ void RemoteConnection::keep() {
 void RemoteConnection::lose(std::string why) {
   losing_ = kj::evalLater([this, why = std::move(why)]() mutable {
               listener_.lost(name(), std::move(why));
+              whyNotBack_.clear();
               drop();
               comingBack_ =
                   comeBack(fromNow(kFirstRedialPause), kFirstRedialPause, kFirstAnswerLimit)
@@ -281,11 +289,21 @@ void RemoteConnection::drop() {
   session_ = nullptr;
 }
 
+// That the process is not there, or that the link broke, is what the loss has told already.
+void RemoteConnection::tellWhyNotBack(const kj::Exception& failure) {
+  if (failure.getType() == Type::DISCONNECTED) return;
+  std::string why = plain(rpc::describe(failure));
+  if (withoutNumbers(why) == withoutNumbers(whyNotBack_)) return;
+  whyNotBack_ = why;
+  listener_.notBack(name(), std::move(why));
+}
+
 kj::Promise<void> RemoteConnection::comeBack(Time next, Duration pause, Duration limit) {
   return control_.timer()
       .afterDelay(rpc::toKj(std::max(next - now(), Duration{0})))
       .then([this, limit] { return connect(kComeBackPatience, limit); })
-      .catch_([=, this](kj::Exception&&) {
+      .catch_([=, this](kj::Exception&& failure) {
+        tellWhyNotBack(failure);
         drop();
         const Duration longer = std::min(2 * pause, kLongestRedialPause);
         return comeBack(next + longer, longer, std::min(2 * limit, kDialLimit));

@@ -28,6 +28,9 @@ class RemoteConnection {
     std::function<void(std::shared_ptr<Channel>)> made;
     /// Gets the channel's name and the reason in words, before the channel is lost.
     std::function<void(const std::string& channel, std::string why)> lost;
+    /// Gets the reason in words why a lost one cannot be made anew yet, if somebody has to know it,
+    /// and another one when that changes.
+    std::function<void(const std::string& channel, std::string why)> notBack;
   };
 
   /// `from` and `to` include their processes. `ledger` has the sums of the connection's name.
@@ -74,6 +77,7 @@ class RemoteConnection {
   /// Begins an attempt at `next`; after those that fail, waits longer for the next one's answers.
   kj::Promise<void> comeBack(Time next, Duration pause, Duration limit);
   void drop();
+  void tellWhyNotBack(const kj::Exception& failure);
   bool comesBack() const { return comingBack_ != nullptr; }
 
   rpc::ControlThread& control_;
@@ -89,6 +93,7 @@ class RemoteConnection {
   const Duration longestSilence_;
   Duration limit_{0};       // for each answer, in this attempt
   std::string laneReason_;  // why it is not a faster lane
+  std::string whyNotBack_;  // as it was told since the last loss
   EventSet asked_ = 0;      // the events that were subscribed to when it was asked
   std::shared_ptr<PeerSession> session_;
   kj::Maybe<wire::Connection::Client> connection_;

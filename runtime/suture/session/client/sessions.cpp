@@ -24,20 +24,25 @@ kj::Promise<std::shared_ptr<PeerSession>> Sessions::open(const std::string& proc
 
 kj::Promise<std::shared_ptr<PeerSession>> Sessions::dial(const std::string& process,
                                                          Duration patience, Duration limit) {
+  using Opened = std::shared_ptr<PeerSession>;
   return manager_.resolve(process, patience)
-      .then([this, process, limit](const ProcessRecord& record) {
-        const auto inTime = [this, process, limit](kj::Promise<void> answer) {
-          return rpc::within(control_.timer(), limit, kj::mv(answer), noAnswerOf(process));
-        };
-        return manager_.reach(record, std::min(limit, kDialLimit))
-            .then([this, record, inTime](rpc::ByteStream bytes) {
-              auto session =
-                  std::make_shared<PeerSession>(control_, manager_, lanes_, record, kj::mv(bytes));
-              return inTime(session->greet(self_))
-                  .then([session, inTime] { return inTime(session->compareClocks()); })
-                  .then([session] { return session; });
-            });
-      });
+      .then(
+          [this, process, limit](const ProcessRecord& record) -> kj::Promise<Opened> {
+            const auto inTime = [this, process, limit](kj::Promise<void> answer) {
+              return rpc::within(control_.timer(), limit, kj::mv(answer), noAnswerOf(process));
+            };
+            return manager_.reach(record, std::min(limit, kDialLimit))
+                .then([this, record, inTime](rpc::ByteStream bytes) {
+                  auto session = std::make_shared<PeerSession>(control_, manager_, lanes_, record,
+                                                               kj::mv(bytes));
+                  return inTime(session->greet(self_))
+                      .then([session, inTime] { return inTime(session->compareClocks()); })
+                      .then([session] { return session; });
+                });
+          },
+          [](kj::Exception&& notThere) -> kj::Promise<Opened> {
+            return rpc::disconnected(rpc::describe(notThere));  // it may come
+          });
 }
 
 std::string noAnswerOf(const std::string& process) {
