@@ -53,17 +53,26 @@ std::string subjectOf(const JsonProblem& problem, const std::string& parameters)
   return problem.text.find(last) == std::string::npos ? "'" + name + "': " : "";
 }
 
+/// Says what brings a connection back that was lost for that reason. A process that ends stops its
+/// components first, so the text for a stopped one is true of it as well.
+const char* remedyFor(const std::string& reason) {
+  if (reason.starts_with("closed")) {
+    return "Start that process again if it has ended; it is connected anew when it is there";
+  }
+  if (reason.starts_with("ended")) {
+    return "While that process goes on, restart either process, or call disconnect() and "
+           "connect(); if it has ended, start it again";
+  }
+  return "It is connected anew when that process goes on";
+}
+
 /// `why` has, by the name of each connection, what its client's end was told: "closed: ...".
 std::string lossText(const std::map<std::string, std::string>& why, const std::string& name) {
   const auto told = why.find(name);
   if (told == why.end()) return "is lost: the process at its other end is gone. Start it again";
-  const bool ended = told->second.starts_with("closed");
   std::string reason = told->second;
   if (reason.ends_with('.')) reason.pop_back();  // what TLS says is a whole sentence
-  return "is lost, " + reason +
-         (ended
-              ? ". Start that process again if it has ended; it is connected anew when it is there"
-              : ". It is connected anew when that process goes on");
+  return "is lost, " + reason + ". " + remedyFor(reason);
 }
 
 }  // namespace

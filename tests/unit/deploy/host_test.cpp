@@ -2,6 +2,8 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
 #include <suture/deploy/host.h>
+#include <suture/loop/control_thread.h>
+#include <suture/names/global_manager.h>
 #include <suture/rt/state/state_table.h>
 #include <suture/standard/message_port.h>
 
@@ -369,6 +371,30 @@ TEST(Host, ARestartIsNews) {
                               "component 'all:T' runs again after fault 1: its code threw: once"}));
   EXPECT_TRUE(host.news().empty());
   EXPECT_TRUE(host.troubles().empty());
+}
+
+TEST(Host, DoesNotPromiseThatAStoppedComponentIsConnectedAnew) {
+  const suture::TemporaryDirectory directory;
+  suture::rpc::ControlThread control;
+  const suture::GlobalManager names(control, "unix:" + directory.file("m.sock"));
+  reference::SimulatedArm arm(reference::SimulatedArmParameters{});
+  suture::Manager robot("robot", names.address());
+  robot.add("PSM", arm);
+  robot.start();
+  const Deployment deployment(JsonDocument::parse("{\"manager\": \"" + names.address() + "\"," +
+                                                      R"("processes": [
+          {"name": "robot", "components": [{"name": "PSM", "class": "SimulatedArm"}]},
+          {"name": "console", "components": [{"name": "Client", "class": "Client"}]}],
+          "connections": [{"from": "console:Client/Arm", "to": "robot:PSM/Arm"}]})",
+                                                  "d.json"));
+  Host console(deployment, "console", kClasses);
+  console.start();
+  arm.stop();
+  const std::vector<std::string> troubles = troublesOf(console);
+  ASSERT_EQ(troubles.size(), 1u);
+  EXPECT_TRUE(contains(troubles[0], "is lost, ended: its component has been stopped"))
+      << troubles[0];
+  EXPECT_TRUE(contains(troubles[0], "restart either process")) << troubles[0];
 }
 
 TEST(Host, ADeviceIsNotRestarted) {

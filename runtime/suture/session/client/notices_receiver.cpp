@@ -57,7 +57,7 @@ kj::Promise<void> NoticesReceiver::lapsed(LapsedContext) {
 }
 
 kj::Promise<void> NoticesReceiver::closed(ClosedContext) {
-  lost_("closed: its component has ended, or a later connection of this interface stands");
+  lost_("ended: its component has been stopped, or a later connection of this interface stands");
   news_->close();
   return kj::READY_NOW;
 }
