@@ -10,7 +10,8 @@ namespace suture {
 
 /// Returns an address next to the manager's: a socket in the same directory, or a free port at the
 /// address by which this machine reaches it. Removes what dead processes of this name have left in
-/// that directory, since a process that was killed cannot.
+/// that directory, since a process that was killed cannot. Who listens there is told if the path is
+/// too long.
 rpc::Address peerAddress(const ManagerLink& link, const std::string& process);
 
 }  // namespace suture

@@ -19,6 +19,16 @@ constexpr std::string_view kInsecure = "?insecure";
   throw SetupError("use the address '" + text + "'", found, remedy);
 }
 
+void requireFits(const std::string& text, const std::string& path) {
+  const std::size_t room = sizeof(sockaddr_un::sun_path) - 1;
+  if (path.size() <= room) return;
+  refuse(text,
+         "its path has " + std::to_string(path.size()) + " characters and a socket's may have " +
+             std::to_string(room),
+         "Choose a shorter directory for the manager's socket, for example under /tmp: processes "
+         "listen there too.");
+}
+
 bool isLoopback(const std::string& host) {
   in_addr four;
   if (inet_pton(AF_INET, host.c_str(), &four) == 1) return (ntohl(four.s_addr) >> 24) == 127;
@@ -51,13 +61,7 @@ Address parseUnix(const std::string& text) {
   if (address.path.find(',') != std::string::npos) {
     refuse(text, "its path has a comma, which separates addresses", "Name one, without a comma.");
   }
-  const std::size_t room = sizeof(sockaddr_un::sun_path) - 1;
-  if (address.path.size() > room) {
-    refuse(text,
-           "its path has " + std::to_string(address.path.size()) +
-               " characters and a socket's may have " + std::to_string(room),
-           "Choose a shorter directory, for example under /tmp.");
-  }
+  requireFits(text, address.path);
   return address;
 }
 
@@ -154,6 +158,7 @@ Address localAddress(const Address& far, int socket) {
 
 SocketAddress::SocketAddress(const Address& address) {
   if (address.kind == Address::Kind::Unix) {
+    requireFits(address.text(), address.path);
     auto& local = reinterpret_cast<sockaddr_un&>(storage);
     local.sun_family = AF_UNIX;
     std::memcpy(local.sun_path, address.path.c_str(), address.path.size() + 1);

@@ -41,7 +41,8 @@ std::vector<Address> parseAddresses(const std::string& text);
 /// 0. For Unix sockets it is `far`.
 Address localAddress(const Address& far, int socket);
 
-/// Is the kernel's form of an Address. Throws SetupError if that is not numeric.
+/// Is the kernel's form of an Address. Throws SetupError if that is not numeric, or its path is
+/// longer than a socket allows.
 struct SocketAddress {
   explicit SocketAddress(const Address& address);
 

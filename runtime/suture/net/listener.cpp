@@ -51,7 +51,8 @@ kj::AutoCloseFd bindTo(const Address& address, Listener::Opens opens) {
   }
   const SocketAddress target(place);
   if (bind(listening, target.get(), target.length) != 0) {
-    if (errno != EADDRINUSE || !Listener::isStale(address)) cannotListen(address, errno);
+    const int error = errno;
+    if (error != EADDRINUSE || !Listener::isStale(address)) cannotListen(address, error);
     unlink(address.path.c_str());
     if (bind(listening, target.get(), target.length) != 0) cannotListen(address, errno);
   }
@@ -75,17 +76,13 @@ ino_t inodeOf(const std::string& path) {
 
 }  // namespace
 
-// This leaves errno as it was.
 bool Listener::isStale(const Address& address) {
   struct stat status {};
   if (address.kind != Address::Kind::Unix || stat(address.path.c_str(), &status) != 0) return false;
   if (!S_ISSOCK(status.st_mode)) return false;
-  const int before = errno;
   const kj::AutoCloseFd probe = openSocket(address);
   const SocketAddress target(address);
-  const bool refused = connect(probe, target.get(), target.length) != 0 && errno == ECONNREFUSED;
-  errno = before;
-  return refused;
+  return connect(probe, target.get(), target.length) != 0 && errno == ECONNREFUSED;
 }
 
 Listener::Listener(EventPort& port, const Address& address, Opens opens)

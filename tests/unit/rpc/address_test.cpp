@@ -59,10 +59,25 @@ TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
 TEST(Address, ATooLongSocketPathIsAnError) {
   const std::string error = errorOf("unix:/" + std::string(107, 'x'));
   EXPECT_NE(error.find("its path has 108 characters and a socket's may have 107. Choose a shorter "
-                       "directory, for example under /tmp."),
+                       "directory"),
             std::string::npos)
       << error;
   EXPECT_TRUE(errorOf("unix:/" + std::string(106, 'x')).starts_with("accepted"));
+}
+
+TEST(Address, AJoinedPathMustFitASocketToo) {
+  Address address;
+  address.path = "/" + std::string(106, 'x');
+  const SocketAddress place(address);
+  EXPECT_LE(place.length, sizeof(sockaddr_un));
+  for (const std::size_t length : {108u, 109u, 126u, 4096u}) {
+    address.path = "/" + std::string(length - 1, 'x');
+    EXPECT_EQ(refusal([&] { const SocketAddress none(address); }),
+              "use the address 'unix:" + address.path + "': its path has " +
+                  std::to_string(length) +
+                  " characters and a socket's may have 107. Choose a shorter directory for the "
+                  "manager's socket, for example under /tmp: processes listen there too.");
+  }
 }
 
 TEST(Address, OnlyANumberLeadsToASocket) {

@@ -1,0 +1,42 @@
+// A process listens next to its manager, in a folder whose name it did not choose.
+
+#include <gtest/gtest.h>
+#include <suture/loop/control_thread.h>
+#include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
+
+#include <filesystem>
+#include <string>
+
+#include "support/contains.h"
+#include "support/refusal.h"
+#include "support/temporary_directory.h"
+
+namespace suture {
+namespace {
+
+constexpr std::size_t kLongest = 107;  // of the path of a socket
+
+TEST(SocketPath, AProcessWhoseOwnWouldBeTooLongIsToldSo) {
+  const TemporaryDirectory directory;
+  const std::string tail = "/m.sock";
+  const std::size_t room = kLongest - directory.path().string().size() - tail.size() - 1;
+  const std::string folder = directory.file(std::string(room, 'f'));
+  std::filesystem::create_directory(folder);
+  rpc::ControlThread control;
+  const GlobalManager names(control, "unix:" + folder + tail);
+  for (const std::size_t length : {12u, 40u, 100u}) {
+    const std::string error =
+        refusal([&] { Manager process(std::string(length, 'p'), names.address()); });
+    EXPECT_TRUE(contains(error, " characters and a socket's may have 107. Choose a shorter"))
+        << length << ": " << error;
+  }
+  std::size_t files = 0;
+  for (const auto& one : std::filesystem::directory_iterator(folder)) {
+    if (one.path().filename() != "m.sock") ++files;
+  }
+  EXPECT_EQ(files, 0u) << "a socket of another name stays behind";
+}
+
+}  // namespace
+}  // namespace suture
