@@ -4,15 +4,14 @@
 #include <suture/framing/link_server.h>
 #include <suture/net/dialer.h>
 #include <suture/net/tls/key_maker.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <filesystem>
-#include <thread>
 
 #include "echo_server.h"
 #include "socket_pair.h"
 #include "support/contains.h"
+#include "support/other_user.h"
 #include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
@@ -23,17 +22,6 @@ namespace {
 using namespace std::chrono_literals;
 using capnp::rpc::twoparty::Side;
 using test::Echo;
-
-constexpr uid_t kNobody = 65534;
-
-/// Runs `work` as another user, by root's right: to the kernel this thread alone changes.
-template <class Work>
-void asNobody(Work work) {
-  std::thread([&] {
-    ASSERT_EQ(syscall(SYS_setresuid, -1, kNobody, -1), 0);
-    work();
-  }).join();
-}
 
 class SecureLinkTest : public testing::Test {
  public:

@@ -46,7 +46,9 @@ class PeerHost {
   /// Returns what serves a new link: this process, or the reason why not.
   capnp::Capability::Client offerTo(std::shared_ptr<rpc::Caller> caller);
 
-  /// Describes the latest connection of a required interface of a peer.
+  /// Describes the latest connection of a required interface of a peer. Names of clients and of
+  /// connections are given here with who has proved to be behind them, since any peer may give
+  /// them.
   struct Latest {
     std::string bootId;  // of the peer's machine, whose clock gave the epoch
     std::int64_t epoch;

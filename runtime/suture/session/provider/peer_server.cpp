@@ -191,7 +191,7 @@ kj::Promise<void> PeerServer::connect(ConnectContext context) {
 
 /// Is a request that may be accepted.
 struct PeerServer::Asked {
-  std::string client;  // the required interface, with its process
+  std::string client;  // the required interface, with its process, as proven() returns it
   IncomingConnection connection;
   Match match;
   ConnectContext context;
@@ -210,12 +210,14 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
     const Match match = requireCompatibleContract(describedInfo(contract, hash, description),
                                                   provided.info(), name);
     requireSameFrames(fromWire(in.getFrames()), provided.frames(), name);
-    if (in.getEpoch() == 0 || takesOver(client.toString(), name, context)) {
+    const std::string caller = proven(client.toString());
+    if (in.getEpoch() == 0 || takesOver(caller, name, context)) {
       return accept(
-          {.client = client.toString(),
+          {.client = caller,
            .connection = {.provided = provided,
                           .contract = *match.contract,
-                          .terms = {.name = name, .ledger = host_.ledgerOf(name, incarnation_)},
+                          .terms = {.name = name,
+                                    .ledger = host_.ledgerOf(proven(name), incarnation_)},
                           .events = fromWireNumbers(match.contract->wireEvents, in.getEvents()),
                           .provider = host_.serverOf_(provided),
                           .readOnly = mayOnlyRead(endpoint),
@@ -230,6 +232,10 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
     refuse({Kind::CONTRACT_MISMATCH, error.what()}, context.getResults().initRefused());
     return kj::READY_NOW;
   }
+}
+
+std::string PeerServer::proven(const std::string& name) const {
+  return caller_->identity.text() + ": " + name;
 }
 
 // One required interface has one connection: the latest.
@@ -285,7 +291,7 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
     return end.close();
   }
   const std::shared_ptr<Ledger>& ledger = accepted.channel->terms.ledger;
-  host_.keepLedger(asked.connection.terms.name, incarnation_, ledger);
+  host_.keepLedger(proven(asked.connection.terms.name), incarnation_, ledger);
   ledger->begin(accepted.channel, incarnation_);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   keep({kj::addRef(end), accepted.channel, asked.place});

@@ -50,6 +50,8 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   Endpoint endpointOf(capnp::Text::Reader component, capnp::Text::Reader interface) const;
   kj::Promise<void> decide(ProvidedBase& provided, const Endpoint& endpoint,
                            ConnectContext& context, Places::Place place);
+  /// Returns a name that the caller gives, with who it has proved to be: others may give it too.
+  std::string proven(const std::string& name) const;
   bool takesOver(const std::string& client, const std::string& name, ConnectContext& context);
   /// Makes the connection by the lane that was asked for, or declines it.
   kj::Promise<void> accept(const Asked& asked);
