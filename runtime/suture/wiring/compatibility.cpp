@@ -1,6 +1,6 @@
 #include <suture/wiring/compatibility.h>
+#include <suture/wiring/description.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -29,10 +29,13 @@ const Json& listOf(const Json& json, const char* key) {
   return found != json.end() && found->is_array() ? *found : kNone;
 }
 
-template <class IsSame>
-const Json* findIn(const Json& list, const IsSame& isSame) {
-  const auto found = std::find_if(list.begin(), list.end(), isSame);
-  return found == list.end() ? nullptr : &*found;
+/// Returns the elements of a list by `keyOf(element)`, the first of each key. It is a map, because
+/// a peer may choose keys that fall on one place of a hash table.
+template <class KeyOf>
+auto indexOf(const Json& list, const KeyOf& keyOf) {
+  std::map<decltype(keyOf(list)), const Json*> index;
+  for (const Json& one : list) index.emplace(keyOf(one), &one);
+  return index;
 }
 
 /// Says how a command is called on the wire: the id of the interface that declares it, and its
@@ -78,11 +81,11 @@ class Comparison {
 
   // Skips a type that only one end has, because it is in nothing that both know.
   void compareNodes() {
+    const auto idOf = [](const Json& node) { return textOf(node, "id"); };
+    const auto others = indexOf(listOf(there_, "wire"), idOf);
     for (const Json& node : listOf(here_, "wire")) {
-      const std::string id = textOf(node, "id");
-      const Json* const other =
-          findIn(listOf(there_, "wire"), [&](const Json& one) { return textOf(one, "id") == id; });
-      if (other != nullptr) compareNode(node, *other);
+      const auto other = others.find(idOf(node));
+      if (other != others.end()) compareNode(node, *other->second);
     }
   }
 
@@ -106,11 +109,11 @@ class Comparison {
   }
 
   void compareMembers(const Json& members, const Json& others, const std::string& owner) {
+    const auto placeOf = [](const Json& member) { return numberOf(member, "at", -1); };
+    const auto theirs = indexOf(others, placeOf);
     for (const Json& member : members) {
-      const long place = numberOf(member, "at", -1);
-      const Json* const other =
-          findIn(others, [&](const Json& one) { return numberOf(one, "at", -1) == place; });
-      if (other != nullptr) compareMember(member, *other, owner);
+      const auto other = theirs.find(placeOf(member));
+      if (other != theirs.end()) compareMember(member, *other->second, owner);
     }
   }
 
@@ -140,8 +143,7 @@ class Comparison {
 }  // namespace
 
 Compatibility compatibility(std::string_view here, std::string_view there) {
-  const Json ours = Json::parse(here, nullptr, /*allow_exceptions=*/false);
-  const Json theirs = Json::parse(there, nullptr, /*allow_exceptions=*/false);
+  const Json ours = readDescription(here), theirs = readDescription(there);
   return Comparison(ours, theirs).run();
 }
 

@@ -1,8 +1,10 @@
+#include <suture/wiring/description.h>
 #include <suture/wiring/differences.h>
 
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -21,35 +23,47 @@ std::string keyOf(const nlohmann::json& element, std::size_t index) {
   return std::to_string(index);
 }
 
-// A peer may send any depth; no real description is as deep.
-constexpr int kMostLevels = 32;
-
-void flatten(const nlohmann::json& json, const std::string& path, Leaves& leaves, int level = 0) {
-  const std::string prefix = path.empty() ? "" : path + ".";
-  if (level == kMostLevels) {
-    leaves[path] = "too deep";
-  } else if (json.is_object()) {
-    for (const auto& [key, value] : json.items()) {
-      if (!std::ranges::count(kLeftOut, key)) flatten(value, prefix + key, leaves, level + 1);
+/// Is made of a description. Each path repeats the keys above it, so a long key with much below it
+/// would take far more memory than the description itself: then the rest is left out.
+class Flattening {
+ public:
+  void add(const nlohmann::json& json, const std::string& path) {
+    bytes_ += path.size() + 1;
+    const std::string prefix = path.empty() ? "" : path + ".";
+    if (json.is_object()) {
+      for (const auto& [key, value] : json.items()) {
+        if (!std::ranges::count(kLeftOut, key)) addBelow(value, prefix, key);
+      }
+    } else if (json.is_array()) {
+      for (std::size_t i = 0; i < json.size(); ++i) addBelow(json[i], prefix, keyOf(json[i], i));
+    } else {
+      leaves_[path] = json.is_string() ? "'" + json.get<std::string>() + "'" : json.dump();
     }
-  } else if (json.is_array()) {
-    for (std::size_t i = 0; i < json.size(); ++i) {
-      flatten(json[i], prefix + keyOf(json[i], i), leaves, level + 1);
-    }
-  } else {
-    leaves[path] = json.is_string() ? "'" + json.get<std::string>() + "'" : json.dump();
   }
-}
+  Leaves take() && {
+    if (isFull()) leaves_["description"] = "longer than can be told";
+    return std::move(leaves_);
+  }
+
+ private:
+  bool isFull() const {
+    constexpr std::size_t kMost = 4u << 20;
+    return bytes_ > kMost;
+  }
+  void addBelow(const nlohmann::json& json, const std::string& prefix, const std::string& key) {
+    if (!isFull()) add(json, prefix + key);
+  }
+
+  Leaves leaves_;
+  std::size_t bytes_ = 0;  // of the paths
+};
 
 Leaves leavesOf(std::string_view text) {
-  Leaves leaves;
-  const auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (json.is_discarded()) {
-    leaves["description"] = "unreadable";
-  } else {
-    flatten(json, "", leaves);
-  }
-  return leaves;
+  const nlohmann::json json = readDescription(text);
+  if (json.is_discarded()) return {{"description", "unreadable"}};
+  Flattening flattening;
+  flattening.add(json, "");
+  return std::move(flattening).take();
 }
 
 }  // namespace

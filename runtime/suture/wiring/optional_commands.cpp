@@ -1,3 +1,4 @@
+#include <suture/wiring/description.h>
 #include <suture/wiring/differences.h>
 #include <suture/wiring/optional_commands.h>
 
@@ -38,8 +39,7 @@ bool allOptional(const Json& commands, std::size_t from) {
 
 std::optional<std::vector<std::uint16_t>> lackingOptional(std::string_view here,
                                                           std::string_view there) {
-  const Json ours = Json::parse(here, nullptr, /*allow_exceptions=*/false);
-  const Json theirs = Json::parse(there, nullptr, /*allow_exceptions=*/false);
+  const Json ours = readDescription(here), theirs = readDescription(there);
   if (!ours.is_object() || !theirs.is_object()) return std::nullopt;
   if (coreOf(ours).empty() || coreOf(ours) != coreOf(theirs)) return std::nullopt;
   const Json ourCommands = commandsOf(ours), theirCommands = commandsOf(theirs);

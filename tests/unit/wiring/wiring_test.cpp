@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
+#include <suture/wiring/compatibility.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/differences.h>
 #include <suture/wiring/directory.h>
 #include <suture/wiring/optional_commands.h>
+
+#include <algorithm>
 
 #include "reference/gripper_arm.suture.h"
 #include "reference/simulated_arm.h"
@@ -96,13 +99,49 @@ TEST(Differences, AreToldFieldByFieldAndIgnoreDocumentation) {
   EXPECT_TRUE(differences(here, here).empty());
 }
 
-TEST(Differences, EndlessNestingEnds) {
-  constexpr std::size_t kLevels = 1'000'000;
-  const std::string there = std::string(kLevels, '[') + std::string(kLevels, ']');
+bool isUnreadable(const std::string& description) {
+  const std::string here = R"({"core": "hash", "name": "Arm", "wire": [{"id": "@0xa1"}]})";
+  EXPECT_FALSE(lackingOptional(here, description));
+  EXPECT_FALSE(compatibility(here, description).comparable);
+  return differences(here, description) ==
+         std::vector<std::string>{"name: 'Arm' here, missing there",
+                                  "description: missing here, unreadable there"};
+}
+
+/// Has so many levels of lists as the commands of a contract.
+std::string nested(std::size_t levels) {
+  return R"({"core": "hash", "commands": )" + std::string(levels, '[') + std::string(levels, ']') +
+         "}";
+}
+
+// What a peer sends is refused before anything that takes a stack or time to match.
+TEST(Description, EndlessNestingIsUnreadable) {
+  for (const std::size_t levels : {32u, 100'000u, 500'000u}) {
+    EXPECT_TRUE(isUnreadable(nested(levels))) << levels;
+  }
+  EXPECT_EQ(differences(nested(20), nested(31)), std::vector<std::string>{});
+  const std::string inText =
+      R"({"a": "\\\"[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[", "b": []})";
+  EXPECT_EQ(differences(inText, inText), std::vector<std::string>{});
+  EXPECT_EQ(differences("{}", inText).size(), 1u);
+}
+
+TEST(Description, AnEndlessOneIsUnreadable) {
+  std::string there = R"({"core": "hash", "wire": [{"id": "@0xa1"})";
+  while (there.size() <= (1u << 20)) there += R"(,{"id": "x"})";
+  EXPECT_TRUE(isUnreadable(there + "]}"));
+}
+
+TEST(Description, LongKeysAreNotTakenForEachLeafBelowThem) {
+  std::string there = R"({")" + std::string(1000, 'k') + R"(": [1)";
+  for (int i = 0; i < 100'000; ++i) there += ",[],1";
+  there += "]}";
+  std::size_t bytes = 0;
   const std::vector<std::string> lines = differences(R"({"name": "Arm"})", there);
-  ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0], "name: 'Arm' here, missing there");
-  EXPECT_TRUE(lines[1].ends_with(": missing here, too deep there")) << lines[1];
+  for (const std::string& line : lines) bytes += line.size();
+  EXPECT_LT(bytes, 10u << 20);
+  EXPECT_TRUE(
+      std::ranges::count(lines, "description: missing here, longer than can be told there"));
 }
 
 /// Returns the contract's info with less to say of it than suturec writes.
