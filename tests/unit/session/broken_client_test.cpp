@@ -8,6 +8,7 @@
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,38 @@ class Client : public reference::PlayedClient {
       auto request = peer().pingRequest();
       request.initComponents(components);
       return request.send().ignoreResult();
+    });
+  }
+  /// Pings, and says that it watches a component of that name.
+  void watch(const std::string& component) {
+    control_.run(kPatience, [&] {
+      auto request = peer().pingRequest();
+      request.initComponents(1).set(0, component.c_str());
+      return request.send().ignoreResult();
+    });
+  }
+  /// Says hello. Returns what it is refused with.
+  std::string greetAs(const std::string& process, const std::string& bootId) {
+    return control_.run(kPatience, [&] {
+      auto request = peer().helloRequest();
+      request.setVersion(wire::PROTOCOL_VERSION);
+      request.setProcess(process.c_str());
+      request.setBootId(bootId.c_str());
+      return request.send().then([](auto&& results) {
+        return results.isRefused() ? fromWire(results.getRefused()).text : std::string();
+      });
+    });
+  }
+  /// Asks for the arm, with one of the texts of the request as `change(request)` leaves it. Returns
+  /// what it is refused with.
+  std::string connectAs(const std::function<void(wire::ConnectRequest::Builder)>& change) {
+    return control_.run(kPatience, [&] {
+      auto request = peer().connectRequest();
+      reference::askForArm(request, "test");
+      change(request);
+      return request.send().then([](auto&& results) {
+        return results.isRefused() ? fromWire(results.getRefused()).text : std::string();
+      });
     });
   }
   void openSocket() {
@@ -192,6 +225,32 @@ TEST_F(BrokenClient, WatchesMoreThanItCanBeConnectedTo) {
   client.watch(1024);
   EXPECT_TRUE(contains(refusal([&] { client.watch(1025); }),
                        "more components are watched than can be connected to"));
+}
+
+// What a client says of itself is kept for as long as its sessions live, and some of it longer.
+TEST_F(BrokenClient, HasNamesWithoutEnd) {
+  Client client(manager());
+  const std::string longest(256, 'n'), longer(257, 'n');
+  const std::string why =
+      "': the caller gives a name of 257 bytes, and none may have more than 256. Choose a shorter "
+      "one.";
+  EXPECT_EQ(client.greetAs(longer, "boot"), "talk to process 'robot" + why);
+  EXPECT_EQ(client.greetAs("test", longer), "talk to process 'robot" + why);
+  EXPECT_EQ(client.greetAs(longest, longest), "");
+  const std::function<void(wire::ConnectRequest::Builder)> changes[] = {
+      [&](auto request) { request.setFromProcess(longer.c_str()); },
+      [&](auto request) { request.setFromComponent(longer.c_str()); },
+      [&](auto request) { request.setRequired(longer.c_str()); },
+      [&](auto request) { request.setToComponent(longer.c_str()); },
+      [&](auto request) { request.setProvided(longer.c_str()); },
+      [&](auto request) { request.setContract(longer.c_str()); },
+      [&](auto request) { request.setHash(longer.c_str()); }};
+  for (const auto& change : changes) {
+    EXPECT_EQ(client.connectAs(change), "talk to process 'robot" + why);
+  }
+  EXPECT_EQ(client.connectAs([&](auto request) { request.setRequired(longest.c_str()); }), "");
+  client.watch(longest);
+  EXPECT_TRUE(contains(refusal([&] { client.watch(longer); }), "a name of 257 bytes"));
 }
 
 TEST_F(BrokenClient, AsksForASocketBeforeItSaysHello) {

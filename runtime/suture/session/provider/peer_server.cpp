@@ -27,6 +27,9 @@ using Type = kj::Exception::Type;
 constexpr std::size_t kMostConnections = 1024;
 constexpr std::size_t kMostAwaitedSockets = 16;
 
+// What a client says of itself is kept as long as its connections, and in their sums for longer.
+constexpr std::size_t kLongestName = 256;
+
 // Bounds what a client may say, so that sums with it do not overflow.
 Duration silenceIn(wire::ConnectRequest::Reader request) {
   constexpr Duration kLongest = std::chrono::hours(24 * 365);
@@ -64,20 +67,24 @@ kj::Promise<void> PeerServer::hello(HelloContext context) {
   results.setProcess(textOf(host_.directory_.process()));
   results.setBootId(textOf(bootId()));
   results.setIncarnation(host_.incarnation_);
-  bootId_ = stringOf(context.getParams().getBootId());
-  incarnation_ = context.getParams().getIncarnation();
-  const std::uint16_t theirs = context.getParams().getVersion();
-  if (const auto refusal = whyNotProcess(stringOf(context.getParams().getProcess()))) {
+  const auto in = context.getParams();
+  const std::uint16_t theirs = in.getVersion();
+  auto refusal = whyNotNames({in.getProcess(), in.getBootId()});
+  if (!refusal) refusal = whyNotProcess(stringOf(in.getProcess()));
+  if (!refusal && theirs != wire::PROTOCOL_VERSION) {
+    refusal = Refusal{Kind::VERSION_MISMATCH,
+                      "talk to process '" + host_.directory_.process() + "': it speaks version " +
+                          std::to_string(wire::PROTOCOL_VERSION) +
+                          " of the protocol, the caller version " + std::to_string(theirs) +
+                          ". Build both from the same release."};
+  }
+  if (refusal) {
     refuse(*refusal, results.initRefused());
-  } else if (theirs == wire::PROTOCOL_VERSION) {
+  } else {
+    bootId_ = stringOf(in.getBootId());
+    incarnation_ = in.getIncarnation();
     caller_->known = true;
     results.setAccepted();
-  } else {
-    refuse({Kind::VERSION_MISMATCH,
-            "talk to process '" + host_.directory_.process() + "': it speaks version " +
-                std::to_string(wire::PROTOCOL_VERSION) + " of the protocol, the caller version " +
-                std::to_string(theirs) + ". Build both from the same release."},
-           results.initRefused());
   }
   results.setSent(toNanoseconds(now()));
   return kj::READY_NOW;
@@ -91,6 +98,11 @@ kj::Promise<void> PeerServer::ping(PingContext context) {
   if (in.hasComponents()) {
     if (in.getComponents().size() > kMostConnections) {
       return rpc::failure(Type::FAILED, "more components are watched than can be connected to");
+    }
+    for (const auto name : in.getComponents()) {
+      if (const auto refusal = whyNotNames({name})) {
+        return rpc::failure(Type::FAILED, refusal->text);
+      }
     }
     watched_.clear();
     for (const auto name : in.getComponents()) watched_.push_back(stringOf(name));
@@ -142,6 +154,17 @@ kj::Promise<void> PeerServer::whenThere(Attempt attempt, Refuse refuse) {
   });
 }
 
+std::optional<Refusal> PeerServer::whyNotNames(Names names) const {
+  const auto longest = std::max_element(
+      names.begin(), names.end(), [](auto one, auto other) { return one.size() < other.size(); });
+  if (longest->size() <= kLongestName) return std::nullopt;
+  return Refusal{Kind::LIMIT_REACHED, "talk to process '" + host_.directory_.process() +
+                                          "': the caller gives a name of " +
+                                          std::to_string(longest->size()) +
+                                          " bytes, and none may have more than " +
+                                          std::to_string(kLongestName) + ". Choose a shorter one."};
+}
+
 std::optional<Refusal> PeerServer::whyNotProcess(const std::string& name) const {
   if (caller_->identity.mayBe(name)) return std::nullopt;
   return Refusal{Kind::NOT_PERMITTED,
@@ -172,7 +195,10 @@ bool PeerServer::mayOnlyRead(const Endpoint& endpoint) const {
 kj::Promise<void> PeerServer::connect(ConnectContext context) {
   auto in = context.getParams();
   const Endpoint endpoint = endpointOf(in.getToComponent(), in.getProvided());
-  auto withheld = whyNotProcess(stringOf(in.getFromProcess()));
+  auto withheld =
+      whyNotNames({in.getFromProcess(), in.getFromComponent(), in.getRequired(),
+                   in.getToComponent(), in.getProvided(), in.getContract(), in.getHash()});
+  if (!withheld) withheld = whyNotProcess(stringOf(in.getFromProcess()));
   if (!withheld) withheld = whyNotGiven(endpoint);
   if (withheld) {
     refuse(*withheld, context.getResults().initRefused());

@@ -7,6 +7,7 @@
 #include <suture/session/provider/peer_host.h>
 #include <suture/session/provider/places.h>
 
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <vector>
@@ -64,6 +65,9 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   void forgetEnded();
   void putTasks(wire::Peer::PingResults::Builder results) const;
   void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
+  using Names = std::initializer_list<capnp::Text::Reader>;
+  /// Returns why the caller may not give such names.
+  std::optional<Refusal> whyNotNames(Names names) const;
   /// Returns why the caller is not the process that it says it is, or may not have that interface.
   std::optional<Refusal> whyNotProcess(const std::string& name) const;
   std::optional<Refusal> whyNotGiven(const Endpoint& endpoint);
