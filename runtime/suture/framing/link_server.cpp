@@ -1,6 +1,7 @@
 #include <suture/framing/link_server.h>
 #include <suture/loop/failure.h>
 
+#include <cerrno>
 #include <cstring>
 
 namespace suture::rpc {
@@ -62,10 +63,12 @@ void LinkServer::accept(kj::AutoCloseFd socket) {
 
 // Peers that connect then wait in the kernel's queue.
 void LinkServer::cannotAccept(int error) {
+  const bool full = error == EMFILE || error == ENFILE || error == ENOBUFS || error == ENOMEM;
   refusals_.add("who connects to " + address().text(),
                 std::string("wait until this process can accept connections again: ") +
                     std::strerror(error) +
-                    ". Raise its limit (ulimit -n), or give it fewer peers.");
+                    (full ? ". Raise its limit (ulimit -n), or give it fewer peers."
+                          : ". Look what keeps this machine from it: its network, a firewall."));
 }
 
 std::string LinkServer::tooMany() const {

@@ -13,6 +13,8 @@ namespace suture::rpc {
 namespace {
 
 constexpr int kBacklog = 128;
+// What waits then waits for the loop to look at its other sockets.
+constexpr int kMostInATurn = 32;
 constexpr mode_t kEverybodys = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
 // Breaks the connection of a caller that answers nothing for this long: a caller that still runs
 // has a shorter bound of its own, and has connected again by then.
@@ -110,7 +112,7 @@ kj::Promise<void> Listener::listen(kj::Function<void(kj::AutoCloseFd)> accept,
 }
 
 kj::Promise<void> Listener::acceptAll() {
-  for (;;) {
+  for (int i = 0; i < kMostInATurn; ++i) {
     const int accepted = accept4(socket_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (accepted >= 0) {
       kj::AutoCloseFd connection(accepted);
@@ -121,15 +123,17 @@ kj::Promise<void> Listener::acceptAll() {
       accept_(kj::mv(connection));
     } else if (errno == EAGAIN) {
       return observer_.whenBecomesReadable().then([this] { return acceptAll(); });
-    } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
-      starved_(errno);
-      return port_.getTimer().afterDelay(100 * kj::MILLISECONDS).then([this] {
-        return acceptAll();
-      });
     } else if (errno != EINTR && errno != ECONNABORTED) {
-      cannotListen(address_, errno);
+      starved_(errno);
+      return acceptLater(100 * kj::MILLISECONDS);
     }
   }
+  return acceptLater(0 * kj::MILLISECONDS);
+}
+
+// A timer lets the loop look at its sockets first, which evalLater() does not.
+kj::Promise<void> Listener::acceptLater(kj::Duration pause) {
+  return port_.getTimer().afterDelay(pause).then([this] { return acceptAll(); });
 }
 
 }  // namespace suture::rpc

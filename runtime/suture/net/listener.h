@@ -3,6 +3,7 @@
 
 #include <kj/function.h>
 #include <kj/io.h>
+#include <kj/time.h>
 #include <suture/loop/event_port.h>
 #include <suture/net/address.h>
 
@@ -35,13 +36,15 @@ class Listener {
   const Address& address() const { return address_; }
 
   /// Hands every connection (non-blocking, TCP without delay) to `accept`. The promise never
-  /// resolves; dropping it stops this. If the process runs out of descriptors or memory, acceptance
-  /// is delayed but does not end, and `starved` is called with the errno of each such attempt.
+  /// resolves; dropping it stops this. While the kernel refuses, for want of descriptors or for any
+  /// other reason, it tries again and again, and `starved` is called with the errno of each
+  /// attempt.
   kj::Promise<void> listen(
       kj::Function<void(kj::AutoCloseFd)> accept, kj::Function<void(int)> starved = [](int) {});
 
  private:
   kj::Promise<void> acceptAll();
+  kj::Promise<void> acceptLater(kj::Duration pause);
 
   EventPort& port_;
   Address address_;

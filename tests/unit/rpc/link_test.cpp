@@ -7,6 +7,7 @@
 #include <suture/loop/failure.h>
 #include <suture/net/dialer.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -15,6 +16,9 @@
 #include <fstream>
 #include <memory>
 #include <span>
+#include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "echo_server.h"
@@ -23,6 +27,7 @@
 #include "support/no_more_descriptors.h"
 #include "support/patience.h"
 #include "support/refusal.h"
+#include "support/refused_call.h"
 #include "support/temporary_directory.h"
 
 namespace suture::rpc {
@@ -290,6 +295,76 @@ TEST_P(LinkTest, AnAddressInUseIsRefused) {
   }
   auto link = connect();
   EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(port_.scope()), 3u);
+}
+
+/// Fills the queue of a listener with connections, whose peers say nothing.
+std::vector<kj::AutoCloseFd> queueAt(const Address& address, std::size_t count) {
+  const SocketAddress target(address);
+  std::vector<kj::AutoCloseFd> sockets;
+  while (sockets.size() < count) {
+    sockets.emplace_back(::socket(target.family(), SOCK_STREAM | SOCK_CLOEXEC, 0));
+    EXPECT_EQ(::connect(sockets.back(), target.get(), target.length), 0) << std::strerror(errno);
+  }
+  return sockets;
+}
+
+// Who connects faster than connections are accepted must not keep the loop from its other sockets.
+TEST_P(LinkTest, ACrowdLeavesTheOthersTheirTurns) {
+  constexpr std::size_t kCrowd = 120;
+  Listener listener(port_, Address::parse(freshAddress()));
+  const auto crowd = queueAt(listener.address(), kCrowd);
+  SocketPair other = makeSocketPair();
+  EventPort::FdObserver observer(port_, other.ours, EventPort::FdObserver::OBSERVE_READ);
+  std::vector<kj::AutoCloseFd> accepted;
+  auto all = kj::newPromiseAndFulfiller<void>();
+  std::size_t before = 0;
+  auto heard = observer.whenBecomesReadable()
+                   .then([&] { before = accepted.size(); })
+                   .eagerlyEvaluate(nullptr);
+  auto listening = listener
+                       .listen([&](kj::AutoCloseFd socket) {
+                         if (accepted.empty()) sendText(other.theirs, "x");
+                         accepted.push_back(kj::mv(socket));
+                         if (accepted.size() == kCrowd) all.fulfiller->fulfill();
+                       })
+                       .eagerlyEvaluate(nullptr);
+  all.promise.wait(port_.scope());
+  heard.wait(port_.scope());
+  EXPECT_GT(before, 0u);
+  EXPECT_LT(before, kCrowd);
+}
+
+/// Returns what a server says the second time that the kernel refuses it a connection with `error`.
+std::string toldWhenRefused(const Address& address, int error) {
+  EventPort port;
+  Refusals refusals("server");
+  const LinkServer server(
+      port, address,
+      [](auto&&) -> capnp::Capability::Client { return Echo::Client(kj::heap<EchoServer>()); },
+      refusals);
+  refuseCall(SYS_accept4, error);
+  const auto crowd = queueAt(server.address(), 1);
+  const Time end = now() + suture::kPatience;
+  while (refusals.summary().count < 2 && now() < end)
+    port.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port.scope());
+  return refusals.summary().latest;
+}
+
+// A rule of a firewall, or a network that goes down, refuses for a while.
+TEST_P(LinkTest, AServerComesBackWhateverTheKernelRefuses) {
+  const std::string wait = ": wait until this process can accept connections again: ";
+  const std::pair<int, std::string> cases[] = {
+      {EPERM, "Operation not permitted. Look what keeps this machine from it: its network, a"},
+      {ENETDOWN, "Network is down. Look what keeps this machine from it"},
+      {EMFILE, "Too many open files. Raise its limit (ulimit -n)"}};
+  for (const auto& [error, words] : cases) {
+    std::string told;
+    std::thread([&, refused = error] {  // what is refused to a thread stays so
+      told = toldWhenRefused(Address::parse(freshAddress()), refused);
+    })
+        .join();
+    EXPECT_TRUE(contains(told, wait + words)) << told;
+  }
 }
 
 TEST(Listener, APlainFileAtTheAddressIsAnError) {
