@@ -4,6 +4,7 @@
 #include <suture/lane/frame/link.h>
 
 #include <sys/socket.h>
+#include <sys/syscall.h>
 
 #include <atomic>
 #include <memory>
@@ -13,6 +14,8 @@
 #include "reference/played_channel.h"
 #include "support/eventually.h"
 #include "support/pass.h"
+#include "support/refusal.h"
+#include "support/refused_call.h"
 #include "support/repetitions.h"
 #include "support/stepped.h"
 #include "support/test_thread.h"
@@ -252,6 +255,25 @@ TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
     return heard == sent;
   })) << heard
       << " of " << sent;
+}
+
+// Nothing would be heard of a socket that the thread cannot watch.
+TEST(LaneThread, BreaksALinkThatItCannotWatch) {
+  std::thread([] {  // what is refused to it, is to the thread that it starts
+    auto sockets = rpc::makeSocketPair();
+    const auto link = std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.ours)), 1);
+    Pair pair(1);
+    link->join(pair.client);
+    LaneThread lane;
+    refuseCall(SYS_epoll_ctl, ENOSPC);
+    lane.add(link);
+    EXPECT_TRUE(eventually([&] { return link->broken(); }));
+    EXPECT_EQ(refusal([] { LaneThread another; }),
+              "watch the bell of the thread of frames: No space left on device. Raise the limit of "
+              "what a user watches (fs.epoll.max_user_watches)");
+    EXPECT_EQ(pair.client->why(), "the kernel does not watch its socket: No space left on device");
+  })
+      .join();
 }
 
 TEST(LaneThread, StopsWheneverItIsTold) {

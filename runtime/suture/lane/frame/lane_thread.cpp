@@ -33,7 +33,9 @@ std::shared_ptr<LaneThread::Bell> LaneThread::makeBell() {
 LaneThread::LaneThread() : poll_(opened(epoll_create1(EPOLL_CLOEXEC), "an epoll")) {
   // The edge of the eventfd ends the sleep; it is never read.
   epoll_event event{.events = EPOLLIN | EPOLLET, .data = {.ptr = nullptr}};
-  epoll_ctl(poll_, EPOLL_CTL_ADD, bell_->eventDescriptor, &event);
+  if (epoll_ctl(poll_, EPOLL_CTL_ADD, bell_->eventDescriptor, &event) == 0) return;
+  throw SetupError("watch the bell of the thread of frames", std::strerror(errno),
+                   "Raise the limit of what a user watches (fs.epoll.max_user_watches)");
 }
 
 void LaneThread::stop() {
@@ -80,10 +82,15 @@ void LaneThread::takeOver() {
   added_.clear();
 }
 
+// Breaks a link of which nothing would be heard.
 void LaneThread::watch(const Carried& carried, int operation) {
   const std::uint32_t room = carried.full ? std::uint32_t{EPOLLOUT} : 0;
   epoll_event event{.events = EPOLLIN | room, .data = {.ptr = carried.link.get()}};
-  epoll_ctl(poll_, operation, carried.link->descriptor(), &event);
+  if (epoll_ctl(poll_, operation, carried.link->descriptor(), &event) == 0) return;
+  if (operation == EPOLL_CTL_DEL) return;
+  carried.link->breakOff(std::string("the kernel does not watch its socket: ") +
+                         std::strerror(errno));
+  bell_->doorbell.ring();
 }
 
 void LaneThread::turnAll() {
