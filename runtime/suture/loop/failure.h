@@ -16,6 +16,9 @@ inline kj::Exception disconnected(const std::string& text) {
   return failure(kj::Exception::Type::DISCONNECTED, text);
 }
 
+/// Returns true if the peer sent the rejection, and this process did not make it.
+bool isRemote(const kj::Exception& exception);
+
 /// Returns what went wrong, without the library's prefixes ("remote exception: ").
 std::string describe(const kj::Exception& exception);
 

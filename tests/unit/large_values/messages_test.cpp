@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
+#include <suture/component/channel/counts/ledger.h>
 #include <suture/component/device.h>
 #include <suture/component/task/event_task.h>
 #include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -86,6 +88,12 @@ class MessagesBy : public testing::TestWithParam<Lane> {
       ASSERT_EQ(outcomeOf(one->canvas.copy.start(kFew).within(suture::kPatience)), Errc{});
     }
   }
+  const suture::Channel& channelOf(const std::string& component) const {
+    const auto isIts = [&](const auto& one) {
+      return one->name().find(component) != std::string::npos;
+    };
+    return **std::find_if(channels_.begin(), channels_.end(), isIts);
+  }
   Errc outcomeOf(const auto& result) { return result.has_value() ? Errc{} : result.error(); }
 
   const suture::TemporaryDirectory directory_;
@@ -107,6 +115,11 @@ TEST_P(MessagesBy, ACommandThatIsTooLargeIsNotSent) {
         << "a credit is back when the command can no longer arrive";
   }
   ASSERT_TRUE(eventually([&] { return paint(dotted(kFew)).has_value(); }));
+  const suture::Ledger& ledger = *channelOf("Viewer").terms.ledger;
+  EXPECT_TRUE(eventually([&] { return ledger.sums().underWay == 0; }))
+      << "a command that was not sent has its outcome";
+  EXPECT_EQ(ledger.sums().tally.refused, 6U);
+  EXPECT_EQ(ledger.sums().tally.executed, 1U);
 }
 
 TEST_P(MessagesBy, AnAnswerThatIsTooLargeIsMissing) {

@@ -72,7 +72,7 @@ void ClientCarrier::refuse(const rt::CommandRecord& record, Errc error) {
   const std::uint16_t number = record.command;
   const bool usedCredit = usesCredit(channel_.info.commands[number], record.call);
   replyError(record.call, error);
-  rt::increment(channel_.commands.counters.refused);
+  countRefused();
   commandSent();
   if (usedCredit) credits(number, 1);
   ringClient();

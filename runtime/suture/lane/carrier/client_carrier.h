@@ -3,6 +3,7 @@
 
 #include <suture/component/channel/channel.h>
 #include <suture/lane/carrier/interest.h>
+#include <suture/rt/counter.h>
 
 #include <array>
 #include <cstddef>
@@ -42,7 +43,9 @@ class ClientCarrier {
   void give();
   /// Call it when the wire has sent the command that it got.
   void commandSent() { channel_.commands.pop(); }
-  /// Call it instead if the wire cannot send that command; the provider will never know of it.
+  /// Counts a command that the wire could not send; the provider will never know of it.
+  void countRefused() { rt::increment(channel_.commands.counters.refused); }
+  /// Call it instead of commandSent() if the wire knows that before; it counts the command.
   void refuse(const rt::CommandRecord& command, Errc error);
 
   // --- from the provider

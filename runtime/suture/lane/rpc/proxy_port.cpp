@@ -5,6 +5,7 @@
 #include <suture/lane/carrier/arrival_stamp.h>
 #include <suture/lane/rpc/proxy_port.h>
 #include <suture/lane/rpc/receiver.h>
+#include <suture/loop/failure.h>
 #include <suture/wire/codec.h>
 
 namespace suture::rpc {
@@ -96,6 +97,14 @@ void ProxyPort::answer(std::uint16_t command, std::uint32_t call,
   client_.arrived();
 }
 
+// The provider counts what it rejects, but it has never heard of a command that was too large.
+void ProxyPort::rejected(std::uint16_t command, std::uint32_t call,
+                         const kj::Exception& exception) {
+  const Errc error = errcOf(exception);
+  if (error == Errc::TooLarge && !isRemote(exception)) carrier_.countRefused();
+  returned(command, call, error);
+}
+
 void ProxyPort::returned(std::uint16_t command, std::uint32_t call, Errc error) {
   if (error != Errc{} && !isClosed()) carrier_.replyError(call, error);
   if (usesCredit(info().commands[command], call)) {
@@ -148,9 +157,9 @@ void ProxyPort::send(const rt::CommandRecord& record) {
     auto answered = request.send().then([this, command, call](auto&& response) {
       if (call != 0) answer(command, call, response);
     });
-    calls_.add(answered.then(
-        [this, command, call] { returned(command, call, Errc{}); },
-        [this, command, call](kj::Exception&& e) { returned(command, call, errcOf(e)); }));
+    calls_.add(
+        answered.then([this, command, call] { returned(command, call, Errc{}); },
+                      [this, command, call](kj::Exception&& e) { rejected(command, call, e); }));
   }
   carrier_.commandSent();
 }

@@ -64,6 +64,7 @@ class ProxyPort final : public ClientEnd,
   void send(const Interest& interest) override;
   void send(const rt::CommandRecord& command) override;
   void answer(std::uint16_t command, std::uint32_t call, capnp::AnyPointer::Reader results);
+  void rejected(std::uint16_t command, std::uint32_t call, const kj::Exception& exception);
   void returned(std::uint16_t command, std::uint32_t call, Errc error);
   void taskFailed(kj::Exception&& exception) override;
 
