@@ -25,7 +25,7 @@ void receive(const Decoder& decoder, std::span<const std::byte> bytes) {
   auto words = kj::heapArray<capnp::word>(header->totalBytes / sizeof(capnp::word));
   std::memcpy(words.begin(), bytes.data(), header->totalBytes);
   capnp::ReaderOptions options;
-  options.traversalLimitInWords = limits.messageBytes / sizeof(capnp::word);  // as Link does
+  options.traversalLimitInWords = 2 * limits.messageBytes / sizeof(capnp::word);  // as Link does
   rpc::ReceivedMessage message(kj::mv(words), *header, options);
   decoder.check(message);
 }

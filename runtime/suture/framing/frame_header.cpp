@@ -13,13 +13,15 @@ std::uint32_t wordAt(std::span<const std::byte> bytes, std::size_t index) {
   return value;  // little endian, like the machines that Cap'n Proto's zero-copy assumes
 }
 
+constexpr std::size_t bytesOfHeader(std::uint64_t segments) { return (segments / 2 + 1) * kWord; }
+
 }  // namespace
 
 FrameParse parseFrameHeader(std::span<const std::byte> bytes, const StreamLimits& limits) {
   if (bytes.size() < sizeof(std::uint32_t)) return {};
   const std::uint64_t segments = std::uint64_t{wordAt(bytes, 0)} + 1;
   if (segments > limits.segments) return {FrameFault::TooManySegments, {}};
-  const std::size_t headerBytes = (segments / 2 + 1) * kWord;
+  const std::size_t headerBytes = bytesOfHeader(segments);
   if (bytes.size() < headerBytes) return {};
 
   std::uint64_t total = headerBytes;
@@ -32,11 +34,17 @@ std::uint32_t segmentWords(std::span<const std::byte> header, std::uint32_t inde
   return wordAt(header, std::size_t{index} + 1);
 }
 
+std::size_t frameBytes(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments) {
+  std::size_t bytes = bytesOfHeader(segments.size());
+  for (const auto& segment : segments) bytes += segment.size() * kWord;
+  return bytes;
+}
+
 void appendFrame(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
                  std::vector<std::byte>& bytes) {
   const auto count = static_cast<std::uint32_t>(segments.size());
   const std::size_t begin = bytes.size();
-  bytes.resize(begin + (count / 2 + 1) * kWord);
+  bytes.resize(begin + bytesOfHeader(count));
   std::byte* header = bytes.data() + begin;
   const auto putSize = [header](std::size_t position, std::size_t value) {
     const auto size = static_cast<std::uint32_t>(value);

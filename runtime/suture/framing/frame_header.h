@@ -51,6 +51,9 @@ FrameParse parseFrameHeader(std::span<const std::byte> bytes, const StreamLimits
 /// Returns the size in words of segment `index`, from a header that parseFrameHeader accepted.
 std::uint32_t segmentWords(std::span<const std::byte> header, std::uint32_t index);
 
+/// Returns the size of a message in the same format, header and body.
+std::size_t frameBytes(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments);
+
 /// Appends a message in the same format, ready to send.
 void appendFrame(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
                  std::vector<std::byte>& bytes);

@@ -21,14 +21,14 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
   void send() override {
     // A peer that receives more than it allows ends the link, but only this call should fail. What
     // is thrown here becomes the outcome of the call.
-    if (sizeInWords() * sizeof(capnp::word) > stream_.limits().messageBytes) {
+    const auto segments = message_.getSegmentsForOutput();
+    if (frameBytes(segments) > stream_.limits().messageBytes) {
       kj::throwFatalException(remoteError(Errc::TooLarge));
     }
     // A Finish, which ends a call that has returned, only frees memory at the peer.
     const bool finish = message_.getRoot<capnp::rpc::Message>().isFinish();
     using Leaves = MessageStream::Leaves;
-    stream_.write(message_.getSegmentsForOutput(),
-                  finish ? Leaves::WithNextMessage : Leaves::AtEndOfTurn, descriptors_);
+    stream_.write(segments, finish ? Leaves::WithNextMessage : Leaves::AtEndOfTurn, descriptors_);
   }
 
   void setFds(kj::Array<int> descriptors) override { descriptors_ = kj::mv(descriptors); }

@@ -26,9 +26,11 @@ constexpr const char* kOtherSpeaksTls =
     "it speaks TLS, and this end does not. Correct the address: tls:// at both ends, or at "
     "neither.";
 
+// What reads a message follows some of its references twice, and each time the library counts what
+// they lead to.
 capnp::ReaderOptions readerOptions(const StreamLimits& limits) {
   capnp::ReaderOptions options;
-  options.traversalLimitInWords = limits.messageBytes / sizeof(capnp::word);
+  options.traversalLimitInWords = 2 * limits.messageBytes / sizeof(capnp::word);
   return options;
 }
 

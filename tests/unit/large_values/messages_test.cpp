@@ -28,7 +28,8 @@ namespace {
 
 using suture::Errc, suture::eventually, suture::Lane;
 
-/// A message has room for 2 Mi words.
+/// A message has room for so many words, and a dot has one.
+constexpr std::uint32_t kLimit = 2u << 20;
 constexpr std::uint32_t kTooMany = 2'400'000, kFew = 10;
 
 Dots dotted(std::uint32_t dots) { return {std::vector<Dot>(dots)}; }
@@ -120,6 +121,23 @@ TEST_P(MessagesBy, ACommandThatIsTooLargeIsNotSent) {
       << "a command that was not sent has its outcome";
   EXPECT_EQ(ledger.sums().tally.refused, 6U);
   EXPECT_EQ(ledger.sums().tally.executed, 1U);
+}
+
+// The peer counts what frames a message, and the references that it follows to read one.
+TEST_P(MessagesBy, NearTheLimitAMessageArrivesOrIsTooLarge) {
+  const auto isToldOf = [](Errc outcome) { return outcome == Errc{} || outcome == Errc::TooLarge; };
+  std::vector<Errc> painted, copied;
+  for (std::uint32_t dots = kLimit - 26; dots < kLimit; dots += 2) {
+    painted.push_back(
+        outcomeOf(viewer_.canvas.paint.start(dotted(dots)).within(suture::kPatience)));
+    copied.push_back(outcomeOf(viewer_.canvas.copy.start(dots).within(suture::kPatience)));
+    ASSERT_TRUE(isToldOf(painted.back())) << toString(painted.back()) << " for " << dots;
+    ASSERT_TRUE(isToldOf(copied.back())) << toString(copied.back()) << " for " << dots;
+  }
+  for (const auto& outcomes : {painted, copied}) {
+    EXPECT_EQ(outcomes.front(), Errc{}) << "the sizes are not those near the limit";
+    EXPECT_EQ(outcomes.back(), Errc::TooLarge) << "the sizes are not those near the limit";
+  }
 }
 
 TEST_P(MessagesBy, AnAnswerThatIsTooLargeIsMissing) {
