@@ -163,5 +163,30 @@ TEST_F(KeyMaker, ACertificateOutOfItsTimeIsNotUsed) {
   EXPECT_TRUE(contains(error, "Set the clocks of both machines")) << error;
 }
 
+class EndedCa : public KeyMaker {
+ protected:
+  EndedCa() { makeKeys(folder_, {"left"}, {}, {.from = -48h, .lasts = std::chrono::days(1)}); }
+};
+
+TEST_F(EndedCa, IsNamedAndNotACertificate) {
+  const std::string error = refusedUse("left");
+  EXPECT_TRUE(contains(error, "it is of a CA (ca.crt) that expired at 2")) << error;
+  EXPECT_TRUE(contains(error, "make the keys of all processes anew")) << error;
+}
+
+TEST_F(EndedCa, MakesNoKeys) {
+  const std::string error = refusal([&] { makeKeys(folder_, {"right"}); });
+  EXPECT_TRUE(contains(error, "its CA (ca.crt) expired at 2")) << error;
+  EXPECT_FALSE(fs::exists(folder_ / "right.crt"));
+}
+
+TEST_F(KeyMaker, ACertificateEndsNoLaterThanItsCa) {
+  makeKeys(folder_, {"left"}, {.lasts = std::chrono::days(100)}, {.lasts = std::chrono::days(10)});
+  const auto end = [&](const char* file) { return endOf(readCertificate(folder_ / file).get()); };
+  EXPECT_EQ(end("left.crt"), end("ca.crt"));
+  makeKeys(folder_, {"right"}, {.lasts = std::chrono::days(5)});
+  EXPECT_LT(end("right.crt"), end("ca.crt"));
+}
+
 }  // namespace
 }  // namespace suture::tls

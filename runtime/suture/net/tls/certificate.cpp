@@ -55,14 +55,20 @@ std::string processOf(const X509* certificate) {
   return std::string(text.substr(std::strlen(kNameScheme)));
 }
 
-std::string whyNot(const X509* certificate, long verdict) {
+std::string endOf(const X509* certificate) { return textOf(X509_get0_notAfter(certificate)); }
+
+// The CA ends as certificates do, and then new certificates of it do not help.
+std::string whyNot(X509_STORE_CTX* check) {
+  const X509* const failed = X509_STORE_CTX_get_current_cert(check);
+  const bool isCa = X509_STORE_CTX_get_error_depth(check) > 0;
+  const std::string whose = isCa ? "is of a CA (ca.crt) that " : "";
+  const int verdict = X509_STORE_CTX_get_error(check);
   switch (verdict) {
     case X509_V_ERR_CERT_HAS_EXPIRED:
-      return "expired at " + textOf(X509_get0_notAfter(certificate)) +
-             ". Check the clock; if it is right, remove the certificate and its key and make new "
-             "ones with suture keys.";
+      return whose + "expired at " + endOf(failed) + ". Check the clock; if it is right, " +
+             (isCa ? kReplaceCa : kReplaceCertificate);
     case X509_V_ERR_CERT_NOT_YET_VALID:
-      return "is valid from " + textOf(X509_get0_notBefore(certificate)) +
+      return whose + "is valid from " + textOf(X509_get0_notBefore(failed)) +
              " on. Set the clocks of both machines.";
     case X509_V_ERR_DEPTH_ZERO_SELF_SIGNED_CERT:
     case X509_V_ERR_SELF_SIGNED_CERT_IN_CHAIN:

@@ -30,9 +30,18 @@ inline constexpr const char* kNameScheme = "suture:";
 /// Returns the process that a certificate is for; "" if it names none, or several.
 std::string processOf(const X509* certificate);
 
-/// Returns why `certificate` does not prove what it says, for a verdict of OpenSSL
-/// (X509_V_ERR_...), and what to do. The text continues "the certificate of ...".
-std::string whyNot(const X509* certificate, long verdict);
+/// Returns until when `certificate` is valid, as "2028-11-29 10:00 UTC".
+std::string endOf(const X509* certificate);
+
+/// Say how to replace the certificate of one process, and the CA with all that it has signed.
+inline constexpr const char* kReplaceCertificate =
+    "remove the certificate and its key and make new ones with suture keys.";
+inline constexpr const char* kReplaceCa =
+    "make the keys of all processes anew with suture keys, in a new folder.";
+
+/// Returns why the certificate that `check` has looked at does not prove what it says, and what to
+/// do. The text continues "the certificate of ...".
+std::string whyNot(X509_STORE_CTX* check);
 
 /// Throw SetupError if there is no such file, if it holds no certificate or key, or if others can
 /// read the key.

@@ -20,7 +20,6 @@ using BignumPtr = std::unique_ptr<BIGNUM, Free<BN_free>>;
 using ExtensionPtr = std::unique_ptr<X509_EXTENSION, Free<X509_EXTENSION_free>>;
 
 constexpr const char* kCaName = "Suture CA";
-constexpr Validity kCaValidity{.from = -std::chrono::hours(1), .lasts = std::chrono::days(3650)};
 
 void require(bool done, const std::string& what) {
   if (!done) throw SetupError(what, lastComplaint(), "Check the installation of OpenSSL 3.");
@@ -82,9 +81,9 @@ void sign(X509* certificate, const X509* issuer, EVP_PKEY* key) {
           "sign a certificate");
 }
 
-Identity makeCa() {
+Identity makeCa(const Validity& validity) {
   KeyPtr key = makeKey();
-  CertificatePtr ca = beginCertificate(kCaName, key.get(), kCaValidity);
+  CertificatePtr ca = beginCertificate(kCaName, key.get(), validity);
   X509* const raw = ca.get();
   extend(raw, raw, NID_basic_constraints, "critical,CA:TRUE,pathlen:0");
   extend(raw, raw, NID_key_usage, "critical,keyCertSign");
@@ -98,6 +97,10 @@ Identity makeIdentity(const std::string& process, const Identity& ca, const Vali
   CertificatePtr certificate = beginCertificate(process, key.get(), validity);
   X509* const raw = certificate.get();
   X509* const issuer = ca.certificate.get();
+  const ASN1_TIME* const last = X509_get0_notAfter(issuer);
+  if (ASN1_TIME_compare(X509_get0_notAfter(raw), last) > 0) {
+    require(X509_set1_notAfter(raw, last) == 1, "make a certificate");
+  }
   extend(raw, issuer, NID_basic_constraints, "critical,CA:FALSE");
   extend(raw, issuer, NID_key_usage, "critical,digitalSignature");
   extend(raw, issuer, NID_ext_key_usage, "serverAuth,clientAuth");
@@ -157,7 +160,12 @@ Identity readCa(const KeyFiles& files) {
                      "there is a CA (ca.crt) without its key (ca.key)",
                      "Run this where the CA was made, or give a new folder for a new one.");
   }
-  return {readCertificate(files.caCertificate()), readKey(files.caKey())};
+  Identity ca{readCertificate(files.caCertificate()), readKey(files.caKey())};
+  const X509* const certificate = ca.certificate.get();
+  if (X509_cmp_current_time(X509_get0_notAfter(certificate)) > 0) return ca;
+  throw SetupError("make keys in " + files.folder.string(),
+                   "its CA (ca.crt) expired at " + endOf(certificate),
+                   std::string("Check the clock; if it is right, ") + kReplaceCa);
 }
 
 /// Writes new files, and removes them again if the last one could not be written.
@@ -201,13 +209,13 @@ class NewFiles {
 }  // namespace
 
 std::vector<fs::path> makeKeys(const fs::path& folder, const std::vector<std::string>& processes,
-                               const Validity& validity) {
+                               const Validity& validity, const Validity& ofCa) {
   const KeyFiles files{folder};
   const std::set<std::string> names(processes.begin(), processes.end());
   requireFree(files, processes);
   makeFolder(folder);
   const bool hasCa = fs::exists(files.caCertificate());
-  const Identity ca = hasCa ? readCa(files) : makeCa();
+  const Identity ca = hasCa ? readCa(files) : makeCa(ofCa);
   NewFiles made;
   if (!hasCa) made.write(files.caCertificate(), files.caKey(), ca);
   for (const std::string& name : names) {

@@ -8,19 +8,23 @@
 
 namespace suture::tls {
 
-/// Says from when on, and for how long, a certificate is valid.
+/// Says from when on, and for how long, a certificate is valid. None is for longer than its CA.
 struct Validity {
   std::chrono::seconds from = -std::chrono::hours(1);  ///< from now: earlier, as clocks differ
   std::chrono::days lasts{730};
 };
 
+/// Is that of a CA.
+inline constexpr Validity kCaValidity{.lasts = std::chrono::days(3650)};
+
 /// Adds to `folder` (made for its owner only) a certificate and a key for each of `processes`, and
-/// before the first a CA that lasts ten years. Keys are Ed25519, in files of mode 0600. Returns the
-/// files that it has made. Throws SetupError, having written nothing, for a name that cannot be a
-/// file's, a name that has a certificate or a key already (nothing is overwritten), a CA without
-/// its key, or a folder that others can enter.
+/// before the first a CA. Keys are Ed25519, in files of mode 0600. Returns the files that it has
+/// made. Throws SetupError, having written nothing, for a name that cannot be a file's, a name that
+/// has a certificate or a key already (nothing is overwritten), a CA without its key or that has
+/// ended, or a folder that others can enter.
 std::vector<std::filesystem::path> makeKeys(const std::filesystem::path& folder,
                                             const std::vector<std::string>& processes,
-                                            const Validity& validity = {});
+                                            const Validity& validity = {},
+                                            const Validity& ofCa = kCaValidity);
 
 }  // namespace suture::tls

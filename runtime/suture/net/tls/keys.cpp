@@ -70,7 +70,7 @@ void Keys::requireSound(X509* ca, X509* certificate) const {
   X509_STORE_add_cert(store.get(), ca);
   X509_STORE_CTX_init(check.get(), store.get(), certificate, nullptr);
   if (X509_verify_cert(check.get()) == 1) return;
-  throw SetupError(asked + ": it " + whyNot(certificate, X509_STORE_CTX_get_error(check.get())));
+  throw SetupError(asked + ": it " + whyNot(check.get()));
 }
 
 }  // namespace suture::tls

@@ -85,8 +85,7 @@ int Session::checkCertificate(int sound, X509_STORE_CTX* check) {
   if (sound == 1) return 1;
   void* const ssl = X509_STORE_CTX_get_ex_data(check, SSL_get_ex_data_X509_STORE_CTX_idx());
   auto* const session = static_cast<Session*>(SSL_get_app_data(static_cast<SSL*>(ssl)));
-  session->certificateFault_ = "its certificate " + whyNot(X509_STORE_CTX_get_current_cert(check),
-                                                           X509_STORE_CTX_get_error(check));
+  session->certificateFault_ = "its certificate " + whyNot(check);
   return 0;
 }
 
