@@ -68,7 +68,7 @@ Checklist examine(rpc::EventPort& loop, const Options& options, Names& names,
   if (secure) {
     all.step("tls", "Give both keys of one CA: `suture keys --help`", [&] {
       if (unproven) throw *unproven;
-      return "it has the certificate of '" + target.process + "'";
+      return "it has the certificate of '" + target.process + "', which " + peer->certificatesEnd();
     });
   } else {
     all.skip("tls", [&] { return tlsOf(peer->address()); });

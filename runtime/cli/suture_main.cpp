@@ -166,7 +166,9 @@ int attempt(bool json, const Work& work) {
 
 int run(const Verb& verb, Options& options) {
   if (!options.keys.empty()) {
-    options.trust.keys = std::make_shared<const suture::tls::Keys>(options.keys, kOwnName);
+    const auto keys = std::make_shared<const suture::tls::Keys>(options.keys, kOwnName);
+    if (!keys->warning().empty()) tell("warning: " + keys->warning());
+    options.trust.keys = keys;
   }
   suture::rpc::EventPort loop;
   return verb.run(loop, options);

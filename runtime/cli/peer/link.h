@@ -14,9 +14,15 @@ namespace suture::cli {
 /// Throws SetupError unless something listens there, with what was found and what to do.
 void knock(rpc::EventPort& loop, const rpc::Address& address, Duration limit);
 
+/// Is a link with what proves who is at its other end.
+struct Reached {
+  kj::Own<rpc::Link> link;
+  std::string certificatesEnd;  ///< as ByteStream has it
+};
+
 /// Returns a link to the process `expected`, with proof that it is that one if the address asks for
 /// it. Throws as knock() does.
-kj::Own<rpc::Link> reach(rpc::EventPort& loop, const rpc::Address& address, const rpc::Trust& trust,
-                         const std::string& expected, Duration limit);
+Reached reach(rpc::EventPort& loop, const rpc::Address& address, const rpc::Trust& trust,
+              const std::string& expected, Duration limit);
 
 }  // namespace suture::cli

@@ -23,7 +23,7 @@ kj::Own<rpc::Link> reachManager(rpc::EventPort& loop, const rpc::Address& addres
                                 const Options& options) {
   rpc::requireKeys(address, options.trust);  // no manager helps where we have none
   try {
-    return cli::reach(loop, address, options.trust, tls::kManagerName, options.patience);
+    return cli::reach(loop, address, options.trust, tls::kManagerName, options.patience).link;
   } catch (const SetupError& error) {
     throw SetupError(std::string("reach the global manager: ") + error.what() + " " +
                      howToStartManager(address));

@@ -34,7 +34,9 @@ Peer::Peer(rpc::EventPort& loop, ProcessRecord process, const Options& options)
 void Peer::knock() { cli::knock(loop_, address_, patience_); }
 
 void Peer::dial() {
-  link_ = cli::reach(loop_, address_, trust_, process_.name, patience_);
+  Reached reached = cli::reach(loop_, address_, trust_, process_.name, patience_);
+  link_ = kj::mv(reached.link);
+  certificatesEnd_ = std::move(reached.certificatesEnd);
   peer_ = link_->bootstrap<wire::Peer>();
 }
 

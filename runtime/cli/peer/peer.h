@@ -29,6 +29,8 @@ class Peer {
   void knock();
   /// Links to it, and makes sure that it is that process, as far as its address can prove it.
   void dial();
+  /// Returns when the certificate that it has shown ends, as tls::ending() does.
+  const std::string& certificatesEnd() const { return certificatesEnd_; }
   /// Makes sure that both speak the same version of the protocol.
   void greet();
 
@@ -54,6 +56,7 @@ class Peer {
   const rpc::Trust trust_;
   const rpc::Address address_;
   kj::Own<rpc::Link> link_;
+  std::string certificatesEnd_;
   wire::Peer::Client peer_ = nullptr;
   ClockOffset clock_;
 };

@@ -159,12 +159,16 @@ std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
   return component;
 }
 
-Security Host::security() const {
+Security Host::security() {
   Security ours;
   if (!deployment_.policy().empty()) ours.policy = readPolicy(deployment_.policy());
   if (deployment_.keys().empty()) return ours;
   try {
-    ours.keys = std::make_shared<const tls::Keys>(deployment_.keys(), process_.name);
+    const auto keys = std::make_shared<const tls::Keys>(deployment_.keys(), process_.name);
+    if (!keys->warning().empty()) {
+      warnings_.push_back(deployment_.document().warn("/keys", keys->warning()));
+    }
+    ours.keys = keys;
   } catch (const SetupError& error) {
     throw DocumentError({deployment_.document().locate("/keys", error.what())});
   }
@@ -259,6 +263,7 @@ void Host::listenToMessages() {
 
 std::vector<std::string> Host::news() {
   std::vector<std::string> lines = realTime_.news();
+  for (std::string& line : std::exchange(warnings_, {})) lines.push_back(std::move(line));
   for (std::string& line : faults_->news()) lines.push_back(std::move(line));
   if (!messages_) return lines;
   for (std::string& line : messages_->heard()) lines.push_back(std::move(line));

@@ -83,7 +83,7 @@ class Host {
                                std::vector<std::string>& problems);
   const SharedLibrary& library(const std::filesystem::path& file);
   void createManager();
-  Security security() const;
+  Security security();
   void announceConnections();
   void configure();
   bool faultedForGood(const Component& component) const;
@@ -94,6 +94,7 @@ class Host {
   const ProcessEntry& process_;
   const Duration patience_;
   bool stopped_ = false;
+  std::vector<std::string> warnings_;  // of the start, until news() has returned them
   RealTime realTime_{deployment_.document(), process_};       // locks what comes after it, too
   std::map<std::filesystem::path, SharedLibrary> libraries_;  // outlive what they contain
   Collectors collectors_{deployment_, process_};

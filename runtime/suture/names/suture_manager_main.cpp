@@ -26,8 +26,12 @@ struct Options {
 suture::Security securityOf(const Options& options) {
   suture::Security security;
   if (!options.keys.empty()) {
-    security.keys =
+    const auto keys =
         std::make_shared<const suture::tls::Keys>(options.keys, suture::tls::kManagerName);
+    if (!keys->warning().empty()) {
+      std::fprintf(stderr, "suture-manager: warning: %s\n", keys->warning().c_str());
+    }
+    security.keys = keys;
   }
   if (options.users.empty()) return security;
   std::vector<suture::Rule> rules{{"user:same", {}}, {"process:*", {}}, {"tcp", {}}};

@@ -1,5 +1,6 @@
 #include <suture/loop/failure.h>
 #include <suture/net/byte_stream.h>
+#include <suture/net/tls/certificate.h>
 #include <suture/net/tls/session.h>
 #include <sys/socket.h>
 
@@ -20,6 +21,10 @@ ByteStream::~ByteStream() = default;
 PeerIdentity ByteStream::peer() const {
   if (session_ == nullptr) return identityOf(socket_);
   return {.proof = PeerIdentity::Proof::Certificate, .user = 0, .process = session_->peer()};
+}
+
+std::string ByteStream::certificatesEnd() const {
+  return session_ == nullptr ? "" : tls::ending(session_->certificate());
 }
 
 ssize_t ByteStream::receive(std::span<std::byte> into, Descriptors& descriptors) {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace suture::tls {
@@ -34,6 +35,8 @@ class ByteStream {
   /// Returns the socket for event ports to wait on.
   int socket() const { return socket_; }
   PeerIdentity peer() const;
+  /// Returns when the certificate of the peer ends, as tls::ending() does; "" outside TLS.
+  std::string certificatesEnd() const;
 
   /// Do what recv(2) and send(2) do. Descriptors travel too if carriesDescriptors(); otherwise they
   /// are left out.

@@ -6,6 +6,7 @@
 #include <suture/deploy/keys_command.h>
 #include <suture/loop/control_thread.h>
 #include <suture/names/global_manager.h>
+#include <suture/net/tls/key_maker.h>
 #include <suture/net/tls/keys.h>
 
 #include <CLI/CLI.hpp>
@@ -95,6 +96,23 @@ TEST_F(DeploymentKeys, AHostUsesThoseOfItsProcess) {
   EXPECT_EQ(host.manager().missingGlobalManager(), "");
   const std::string error = refusal([&] { suture::Host(deployment, "right", {}); });
   EXPECT_TRUE(contains(error, "system.json:1: error: ") && contains(error, "right.crt")) << error;
+}
+
+TEST_F(DeploymentKeys, AHostWarnsBeforeTheyEnd) {
+  suture::tls::makeKeys(keys(), {"left"}, {.lasts = std::chrono::days(29)});
+  const suture::ComponentClass classes[] = {
+      {"Shelf", [](const suture::JsonReader&) -> std::unique_ptr<suture::Component> {
+         return std::make_unique<Rack>();
+       }}};
+  const Deployment deployment(JsonDocument::read(write(R"({"keys": "keys", "processes": [
+      {"name": "left", "components": [{"name": "Shelf", "class": "Shelf"}]}]})")));
+  suture::Host host(deployment, "left", classes);
+  const auto news = host.news();
+  ASSERT_EQ(news.size(), 1u);
+  EXPECT_TRUE(contains(news[0], "system.json:1: warning: the certificate ") &&
+              contains(news[0], "left.crt ends at 2"))
+      << news[0];
+  EXPECT_TRUE(host.news().empty());
 }
 
 TEST_F(DeploymentKeys, TlsWithoutThemIsAnErrorOfTheFile) {

@@ -188,5 +188,23 @@ TEST_F(KeyMaker, ACertificateEndsNoLaterThanItsCa) {
   EXPECT_LT(end("right.crt"), end("ca.crt"));
 }
 
+TEST_F(KeyMaker, ACertificateThatEndsWithinAMonthSaysSo) {
+  makeKeys(folder_, {"left"});
+  EXPECT_EQ(Keys(folder_, "left").warning(), "");
+  makeKeys(folder_, {"right"}, {.lasts = std::chrono::days(29)});
+  const std::string warning = Keys(folder_, "right").warning();
+  const std::string file = (folder_ / "right.crt").string();
+  EXPECT_TRUE(warning.starts_with("the certificate " + file + " ends at 2")) << warning;
+  EXPECT_TRUE(contains(warning, "Before that, remove the certificate and its key")) << warning;
+}
+
+TEST_F(KeyMaker, ACaThatEndsWithinAMonthSaysSo) {
+  makeKeys(folder_, {"left"}, {}, {.lasts = std::chrono::days(29)});
+  const std::string warning = Keys(folder_, "left").warning();
+  const std::string file = (folder_ / "ca.crt").string();
+  EXPECT_TRUE(warning.starts_with("the CA " + file + " ends at 2")) << warning;
+  EXPECT_TRUE(contains(warning, "make the keys of all processes anew")) << warning;
+}
+
 }  // namespace
 }  // namespace suture::tls

@@ -5,7 +5,9 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <ctime>
 #include <string_view>
 
 namespace suture::tls {
@@ -56,6 +58,17 @@ std::string processOf(const X509* certificate) {
 }
 
 std::string endOf(const X509* certificate) { return textOf(X509_get0_notAfter(certificate)); }
+
+bool endsSoon(const X509* certificate) {
+  const auto soon = std::chrono::system_clock::now() + std::chrono::days(30);
+  std::time_t limit = std::chrono::system_clock::to_time_t(soon);
+  return X509_cmp_time(X509_get0_notAfter(certificate), &limit) < 0;
+}
+
+std::string ending(const X509* certificate) {
+  const std::string ends = "ends at " + endOf(certificate);
+  return endsSoon(certificate) ? ends + ". Before that, " + kReplaceCertificate : ends;
+}
 
 // The CA ends as certificates do, and then new certificates of it do not help.
 std::string whyNot(X509_STORE_CTX* check) {

@@ -33,6 +33,12 @@ std::string processOf(const X509* certificate);
 /// Returns until when `certificate` is valid, as "2028-11-29 10:00 UTC".
 std::string endOf(const X509* certificate);
 
+/// Returns true if that is within the next 30 days, or has been.
+bool endsSoon(const X509* certificate);
+/// Returns "ends at ...", with what to do if it ends soon. The text continues "the certificate of
+/// ...".
+std::string ending(const X509* certificate);
+
 /// Say how to replace the certificate of one process, and the CA with all that it has signed.
 inline constexpr const char* kReplaceCertificate =
     "remove the certificate and its key and make new ones with suture keys.";

@@ -48,6 +48,13 @@ Keys::Keys(const std::filesystem::path& folder, std::string process)
   const CertificatePtr certificate = readCertificate(files_.certificate(process_));
   const KeyPtr key = readKey(files_.key(process_));
   requireSound(ca.get(), certificate.get());
+  if (endsSoon(ca.get())) {
+    warning_ = "the CA " + files_.caCertificate().string() + " ends at " + endOf(ca.get()) +
+               ". Before that, " + kReplaceCa;
+  } else if (endsSoon(certificate.get())) {
+    warning_ = "the certificate " + files_.certificate(process_).string() + " " +
+               ending(certificate.get());
+  }
   SSL_CTX* const raw = context_.get();
   setUp(X509_STORE_add_cert(SSL_CTX_get_cert_store(raw), ca.get()) == 1, "the CA");
   setUp(SSL_CTX_use_certificate(raw, certificate.get()) == 1, "the certificate");

@@ -21,6 +21,8 @@ class Keys {
   Keys& operator=(const Keys&) = delete;
 
   const std::string& process() const { return process_; }
+  /// Returns what ends within 30 days, and what to do before that; "": nothing does.
+  const std::string& warning() const { return warning_; }
 
  private:
   friend class Session;
@@ -30,6 +32,7 @@ class Keys {
 
   const KeyFiles files_;
   const std::string process_;
+  std::string warning_;
   BioMethodPtr socket_;
   ContextPtr context_;
 };

@@ -119,8 +119,8 @@ void Session::sendTlsAlert() const {
 }
 
 void Session::requireName() {
-  const CertificatePtr shown(SSL_get1_peer_certificate(ssl_.get()));
-  if (shown != nullptr) peer_ = processOf(shown.get());
+  shown_.reset(SSL_get1_peer_certificate(ssl_.get()));
+  if (shown_ != nullptr) peer_ = processOf(shown_.get());
   if (peer_.empty()) {
     throw HandshakeError(HandshakeError::Cause::Refused,
                          "its certificate names no process of Suture. Make one with suture keys.");

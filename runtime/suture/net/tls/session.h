@@ -40,6 +40,8 @@ class Session {
   Progress handshake();
   /// Returns the process that the peer's certificate names, once the handshake is done.
   const std::string& peer() const { return peer_; }
+  /// Returns then the peer's certificate.
+  const X509* certificate() const { return shown_.get(); }
 
   /// Do what recv(2) and send(2) do. Return the number of bytes; 0 if the peer has said that it is
   /// done; -1 with an errno, of which EPROTO is explained by failure(). A short count says nothing
@@ -66,6 +68,7 @@ class Session {
   const std::shared_ptr<const Keys> keys_;
   const Side side_;
   SslPtr ssl_;
+  CertificatePtr shown_;
   bool named_ = false, accepted_ = false;
   std::string peer_, certificateFault_, failure_;
 };
