@@ -28,6 +28,11 @@ REFUSALS = [
      r"called twice for 'code'; give all HEADERS"),
     ("suture_generate(TARGET code HEADERS a.h)\nsuture_generate(TARGET other HEADERS a.h)",
      r"belongs to target 'code' already; link to that"),
+    ("suture_generate(TARGET code HEADERS a.h)\nsuture_generate(TARGET other BASE_DIR below HEADERS below/a.h)",
+     r"below/a\.h and .*refusals/a\.h of target 'code' would both be known as a\.h; give both .* BASE_DIR \$\{PROJECT_SOURCE_DIR\}"),
+    ("file(CREATE_LINK ${CMAKE_SOURCE_DIR}/a.h ${CMAKE_BINARY_DIR}/linked.h SYMBOLIC)\n"
+     "suture_generate(TARGET code BASE_DIR ${CMAKE_BINARY_DIR} HEADERS ${CMAKE_BINARY_DIR}/linked.h)",
+     r"linked\.h is a link to .*refusals/a\.h; give that file"),
 ]
 
 
