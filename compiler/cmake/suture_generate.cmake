@@ -19,7 +19,8 @@
 # A header that declares more than SUTURE_DECLARATIONS_PER_SOURCE types, commands and events (150 if it is not set) gives several sources.
 # With suturec at hand it runs at build time: once per change of anything the headers read, and it
 # rewrites only files whose text changes. Without it, what is committed in <project>/generated is compiled.
-# Four targets serve all: update-lock, accept-break, update-generated and the test check-generated.
+# The targets update-lock, accept-break and update-generated serve all; a project that has a folder generated/ when CMake runs gets the
+# test check-generated.
 
 include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_checks.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_parts.cmake)

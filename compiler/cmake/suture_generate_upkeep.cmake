@@ -1,42 +1,60 @@
-# These targets keep what is committed in step with the headers: update-lock, accept-break (the same, where old peers no longer count),
-# update-generated, and the test check-generated. Each serves all suture_generate() calls of a project, so they are defined when the
-# project's own list file ends.
+# These targets keep what is committed in step with the headers: update-lock, accept-break (the same, where old peers no longer count) and
+# update-generated, of all suture_generate() calls of a build, and the test check-generated of each project. Each call has targets of its
+# own, which the common ones run: its suturec may be known in its directory alone.
 
 function(suture_register_upkeep suturec target stems entry)
-  set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_TARGETS ${target})
-  set_property(GLOBAL PROPERTY SUTURE_UPKEEP_COMPILER ${suturec})
-  set_property(GLOBAL PROPERTY SUTURE_UPKEEP_RSP_${target}
-    ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture.rsp)
+  suture_add_lock_target(update-lock "--update-lock" "${suturec}" ${target})
+  suture_add_lock_target(accept-break "--update-lock;--accept-break" "${suturec}" ${target})
+
   suture_outputs(files "${stems}" include compile read)
-  set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_FILES ${entry} ${files})
-  get_property(deferred GLOBAL PROPERTY SUTURE_UPKEEP_DEFERRED)
-  if(NOT deferred)
-    set_property(GLOBAL PROPERTY SUTURE_UPKEEP_DEFERRED TRUE)
-    cmake_language(DEFER DIRECTORY ${PROJECT_SOURCE_DIR} CALL suture_define_upkeep)
+  set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_FILES_${PROJECT_SOURCE_DIR} ${entry} ${files})
+  set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_TARGETS_${PROJECT_SOURCE_DIR} ${target}_suture)
+  get_property(projects GLOBAL PROPERTY SUTURE_UPKEEP_PROJECTS)
+  if(NOT PROJECT_SOURCE_DIR IN_LIST projects)
+    set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_PROJECTS ${PROJECT_SOURCE_DIR})
+    cmake_language(DEFER DIRECTORY ${PROJECT_SOURCE_DIR} CALL suture_compare_project)
   endif()
 endfunction()
 
-function(suture_define_upkeep)
-  get_property(targets GLOBAL PROPERTY SUTURE_UPKEEP_TARGETS)
-  get_property(suturec GLOBAL PROPERTY SUTURE_UPKEEP_COMPILER)
-  get_property(files GLOBAL PROPERTY SUTURE_UPKEEP_FILES)
-  foreach(target IN LISTS targets)
-    get_property(rsp GLOBAL PROPERTY SUTURE_UPKEEP_RSP_${target})
-    list(APPEND update_lock COMMAND ${suturec} @${rsp} --update-lock)
-    list(APPEND accept_break COMMAND ${suturec} @${rsp} --update-lock --accept-break)
-    list(APPEND stamps ${target}_suture)
-  endforeach()
-  add_custom_target(update-lock ${update_lock} VERBATIM COMMENT "Updating the locked schemas")
-  add_custom_target(accept-break ${accept_break} VERBATIM COMMENT "Updating the locked schemas, breaks included")
+# Adds what the call for a target has to do for a common target, behind what earlier calls do: one target's lock imports another's.
+function(suture_add_lock_target common arguments suturec target)
+  set(work ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture)
+  add_custom_target(${target}_${common}
+    COMMAND ${suturec} @${work}.rsp ${arguments}
+    WORKING_DIRECTORY ${CMAKE_BINARY_DIR}
+    COMMENT "Updating the locked schemas of ${target}"
+    VERBATIM)
+  if(NOT TARGET ${common})
+    add_custom_target(${common})
+  endif()
+  get_property(earlier GLOBAL PROPERTY SUTURE_LAST_${common})
+  if(earlier)
+    add_dependencies(${target}_${common} ${earlier})
+  endif()
+  set_property(GLOBAL PROPERTY SUTURE_LAST_${common} ${target}_${common})
+  add_dependencies(${common} ${target}_${common})
+endfunction()
 
-  set(list ${CMAKE_BINARY_DIR}/generated.list)
+# Runs when all calls of a project are known.
+function(suture_compare_project)
+  get_property(projects GLOBAL PROPERTY SUTURE_UPKEEP_PROJECTS)
+  list(FIND projects ${PROJECT_SOURCE_DIR} number)
+  get_property(targets GLOBAL PROPERTY SUTURE_UPKEEP_TARGETS_${PROJECT_SOURCE_DIR})
+  get_property(files GLOBAL PROPERTY SUTURE_UPKEEP_FILES_${PROJECT_SOURCE_DIR})
+  set(list ${PROJECT_BINARY_DIR}/generated.list)
   list(JOIN files "\n" text)
   file(GENERATE OUTPUT ${list} CONTENT "${text}\n")
-  set(script ${CMAKE_COMMAND} -DBUILT=${CMAKE_BINARY_DIR}/generated
-    -DCOMMITTED=${PROJECT_SOURCE_DIR}/generated -DLIST=${list})
+  set(committed ${PROJECT_SOURCE_DIR}/generated)
+  set(script ${CMAKE_COMMAND} -DBUILT=${CMAKE_BINARY_DIR}/generated -DCOMMITTED=${committed} -DLIST=${list})
   set(path ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/sync_generated.cmake)
-  add_custom_target(update-generated COMMAND ${script} -DUPDATE=ON -P ${path}
-    VERBATIM COMMENT "Updating generated/")
-  add_dependencies(update-generated ${stamps})
-  add_test(NAME check-generated COMMAND ${script} -P ${path})
+  add_custom_target(update-generated-${number} COMMAND ${script} -DUPDATE=ON -P ${path}
+    VERBATIM COMMENT "Updating ${committed}")
+  add_dependencies(update-generated-${number} ${targets})
+  if(NOT TARGET update-generated)
+    add_custom_target(update-generated)
+  endif()
+  add_dependencies(update-generated update-generated-${number})
+  if(IS_DIRECTORY ${committed})
+    add_test(NAME check-generated COMMAND ${script} -P ${path})
+  endif()
 endfunction()
