@@ -44,6 +44,7 @@ install(FILES
   ${CMAKE_CURRENT_LIST_DIR}/compile_schema.cmake
   ${CMAKE_CURRENT_LIST_DIR}/notice_removed.cmake
   ${CMAKE_CURRENT_LIST_DIR}/write_missing.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/write_response_file.cmake
   ${CMAKE_CURRENT_LIST_DIR}/outputs.list
   ${CMAKE_CURRENT_LIST_DIR}/sync_generated.cmake
   DESTINATION ${package})

@@ -19,6 +19,8 @@
 # A header that declares more than SUTURE_DECLARATIONS_PER_SOURCE types, commands and events (150 if it is not set) gives several sources.
 # With suturec at hand it runs at build time: once per change of anything the headers read, and it
 # rewrites only files whose text changes. Without it, what is committed in <project>/generated is compiled.
+# suturec sees the macros and include paths of t: its definitions and include directories, and -D, -U, -I, -isystem, -iquote, -idirafter,
+# -include and -imacros of its options, of CMAKE_CXX_FLAGS and of the configuration's flags. It does not see precompiled headers.
 # The targets update-lock, accept-break and update-generated serve all; a project that has a folder generated/ when CMake runs gets the
 # test check-generated.
 

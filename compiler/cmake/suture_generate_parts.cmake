@@ -74,8 +74,19 @@ function(suture_target_machine result)
   set(${result} "${arguments}" PARENT_SCOPE)
 endfunction()
 
-# Writes one argument a line; lists of the target are complete only when the build files are written.
-function(suture_write_response_file file target base generated lock_dirs stems entry)
+# Says what writes WORK.rsp, with the arguments of suturec, when it is run by cmake -P. It is one file for each configuration, whose
+# macros are its own.
+function(suture_arguments_script result work language)
+  set(config "")
+  if(CMAKE_CONFIGURATION_TYPES)
+    set(config ".$<CONFIG>")
+  endif()
+  set(${result} ${work}.${language}${config}.cmake PARENT_SCOPE)
+endfunction()
+
+# Writes that script; lists of the target are complete only when the build files are written. CMake evaluates them for each language
+# of the project, and demands a file for each.
+function(suture_write_arguments work target base generated lock_dirs stems entry)
   set(own --target-name ${target} --project ${PROJECT_NAME} --base-dir ${base} --out ${generated})
   list(APPEND own --lock-command "cmake --build ${CMAKE_BINARY_DIR} --target update-lock"
     --break-command "cmake --build ${CMAKE_BINARY_DIR} --target accept-break")
@@ -106,7 +117,20 @@ function(suture_write_response_file file target base generated lock_dirs stems e
   list(JOIN own "\n" text)
   string(APPEND text "\n$<$<BOOL:${includes}>:-I$<JOIN:${includes},\n-I>>\n"
     "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},\n-D>>\n")
-  file(GENERATE OUTPUT ${file} CONTENT "${text}" TARGET ${target})
+  set(script "set(arguments [==[\n${text}]==])\n")
+  foreach(config IN LISTS CMAKE_CONFIGURATION_TYPES CMAKE_BUILD_TYPE)
+    string(TOUPPER "${config}" config)
+    string(APPEND script "set(flags_of_${config} [==[${CMAKE_CXX_FLAGS_${config}}]==])\n")
+  endforeach()
+  string(APPEND script
+    "set(config \"$<UPPER_CASE:$<CONFIG>>\")\n"
+    "set(flags [==[${CMAKE_CXX_FLAGS}]==])\n"
+    "set(flags_of_target [==[$<TARGET_PROPERTY:${target},COMPILE_FLAGS>]==])\n"
+    "set(options [==[$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>]==])\n"
+    "set(rsp [==[${work}.rsp]==])\n"
+    "include([==[${CMAKE_CURRENT_FUNCTION_LIST_DIR}/write_response_file.cmake]==])\n")
+  suture_arguments_script(file ${work} $<COMPILE_LANGUAGE>)
+  file(GENERATE OUTPUT ${file} CONTENT "${script}" TARGET ${target})
 endfunction()
 
 # Runs suturec: the stamp says when it ran, and the generated files change only with their text. Of a command that fails Ninja prints all
@@ -115,7 +139,9 @@ endfunction()
 function(suture_run_compiler suturec target base generated lock_dirs stems entry)
   set(work ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture)
   file(RELATIVE_PATH below ${CMAKE_BINARY_DIR} ${work})
-  suture_write_response_file(${work}.rsp ${target} ${base} ${generated} "${lock_dirs}" "${stems}" "${entry}")
+  suture_write_arguments(${work} ${target} ${base} ${generated} "${lock_dirs}" "${stems}" "${entry}")
+  suture_arguments_script(arguments ${work} CXX)
+  suture_arguments_script(arguments_below ${below} CXX)
   foreach(stem IN LISTS stems)
     list(APPEND headers ${base}/${stem}.h)
   endforeach()
@@ -123,8 +149,9 @@ function(suture_run_compiler suturec target base generated lock_dirs stems entry
   cmake_policy(SET CMP0116 OLD)
   add_custom_command(
     OUTPUT ${work}.stamp
+    COMMAND ${CMAKE_COMMAND} -P ${arguments_below}
     COMMAND ${suturec} @${below}.rsp --stamp ${below}.stamp --depfile ${below}.d
-    DEPENDS ${suturec} ${work}.rsp ${headers}
+    DEPENDS ${suturec} ${arguments} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/write_response_file.cmake ${headers}
     DEPFILE ${work}.d
     WORKING_DIRECTORY ${CMAKE_BINARY_DIR}
     COMMENT "suturec ${target}"

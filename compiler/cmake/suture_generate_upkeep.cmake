@@ -19,7 +19,9 @@ endfunction()
 # Adds what the call for a target has to do for a common target, behind what earlier calls do: one target's lock imports another's.
 function(suture_add_lock_target common arguments suturec target)
   set(work ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture)
+  suture_arguments_script(script ${work} CXX)
   add_custom_target(${target}_${common}
+    COMMAND ${CMAKE_COMMAND} -P ${script}
     COMMAND ${suturec} @${work}.rsp ${arguments}
     WORKING_DIRECTORY ${CMAKE_BINARY_DIR}
     COMMENT "Updating the locked schemas of ${target}"

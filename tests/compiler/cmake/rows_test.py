@@ -65,19 +65,49 @@ def new_field(project):
     no_change(project)
 
 
+WAYS = (
+    "target_compile_definitions(count PRIVATE MORE_0)",
+    "target_compile_definitions(count PRIVATE $<$<COMPILE_LANGUAGE:CXX>:MORE_1>)",
+    "target_compile_options(count PRIVATE -DMORE_2 \"SHELL:-Wall -include count/more_3.h\")",
+    "set_target_properties(count PROPERTIES COMPILE_FLAGS \"-Wall -DMORE_4\")",
+    "set(CMAKE_CXX_FLAGS \"-Wall -D MORE_5\")",
+    "set(CMAKE_BUILD_TYPE Debug)",
+    "set(CMAKE_CXX_FLAGS_DEBUG \"-g -DMORE_6\")",
+)
+
+
+def grow_with_macros(project):
+    fields = "".join(f"\n#ifdef MORE_{n}\n  double more{n} = 0;\n#endif" for n in range(7))
+    project.edit("count/sample.h", "double value = 0;", "double value = 0;" + fields)
+
+
 def changed_define(project):
-    """A header sees the target's definitions: with another one, it is read again."""
+    """A header sees the macros of its target, by whatever way they come: with others, it is read again."""
     before = project.times()
-    project.edit("count/sample.h", "double value = 0;",
-                 "double value = 0;\n#ifdef SCRATCH_HEAVY\n  double extra = 0;\n#endif")
+    grow_with_macros(project)
+    (project.root / "count/more_3.h").write_text("#define MORE_3\n", encoding="utf-8")
     text = project.must_build("builds")
     expect(project.times() == before, "a field behind an undefined macro changes nothing", text)
-    definition = "target_compile_definitions(count PRIVATE SCRATCH_HEAVY)\n"
-    project.edit("CMakeLists.txt", "suture_generate(TARGET count", definition + "suture_generate(TARGET count")
-    status, text = project.build()
-    expect(status != 0 and "Sample::extra' is not in the lock" in text, "a changed define: suturec runs anew", text)
-    project.edit("CMakeLists.txt", definition, "")
-    project.must_build("and again when it is taken back")
+    ways = "\n".join(WAYS) + "\n"
+    project.edit("CMakeLists.txt", "suture_generate(TARGET count", ways + "suture_generate(TARGET count")
+    status, text = project.build("count_suture")
+    unseen = [n for n in range(7) if f"Sample::more{n}' is not in the lock" not in text]
+    expect(status != 0 and not unseen, "changed macros: suturec runs anew", f"{unseen} of MORE_ are not seen\n{text}")
+    project.edit("CMakeLists.txt", ways, "")
+    project.must_build("and again when they are taken back")
+
+
+def configurations(project):
+    """Each configuration of a build has macros of its own, and suturec sees them."""
+    grow_with_macros(project)
+    project.edit("CMakeLists.txt", "suture_generate(TARGET count", "target_compile_definitions(count PRIVATE "
+                 "$<$<CONFIG:Debug>:MORE_0> $<$<COMPILE_LANGUAGE:CXX>:OTHER>)\nsuture_generate(TARGET count")
+    several = Project(project.root, project.package, "Ninja Multi-Config")
+    several.build_folder = project.root / "several"
+    several.configure()
+    several.must_build("a configuration without the macro builds", "count_suture", "--config", "Release")
+    status, text = several.build("count_suture", "--config", "Debug")
+    expect(status != 0 and "Sample::more0' is not in the lock" in text, "and one with it does not", text)
 
 
 def added_header(project):
@@ -220,7 +250,7 @@ def committed(project):
 # The first rows begin in a project that has been configured, the others in one that has been built.
 CONFIGURED = {"no_lock": stops_without_lock}
 BUILT = {row.__name__: row for row in (no_change, touched_header, edited_comment, transitive_header, new_field,
-                                       changed_define, added_header, removed_output, stale_output,
+                                       changed_define, configurations, added_header, removed_output, stale_output,
                                        bad_header, buried_message, many_sources, interrupted, capnp_interrupted,
                                        committed)}
 
