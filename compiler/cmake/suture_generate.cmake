@@ -1,4 +1,5 @@
-# suture_generate(TARGET t HEADERS h... [BASE_DIR d] [LOCK_DIR d] [LOCK_PATH d...] [INSTALL_DIR d] [LOADABLE])
+# suture_generate(TARGET t HEADERS h... [BASE_DIR d] [LOCK_DIR d] [LOCK_PATH d...] [DEPENDS t...] [INSTALL_DIR d]
+#                 [LOADABLE])
 #
 # Adds to target t the code that carries what its annotated headers declare. Users of t include
 # "X.suture.h" for each header X.h.
@@ -9,6 +10,8 @@
 #   LOCK_DIR   folder of the locked schemas, committed. Default: <project>/schemas
 #   LOCK_PATH  lock folders of other projects in this build whose headers these include. The lock of an
 #              installed header is found beside it
+#   DEPENDS    what must be built before these headers can be read, since a build step writes a header that they include, themselves
+#              or through others: targets that stand before this call, or files
 #   INSTALL_DIR  include root below the install prefix, say "include": install() then puts there what other
 #              projects need of these headers, and whoever imports t finds it
 #   LOADABLE   deployments may name t, a shared library, and create its components by class name: t gets the
@@ -29,7 +32,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_parts.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_upkeep.cmake)
 
 function(suture_generate)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "LOADABLE" "TARGET;BASE_DIR;LOCK_DIR;INSTALL_DIR;RUNTIME" "HEADERS;LOCK_PATH")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "LOADABLE" "TARGET;BASE_DIR;LOCK_DIR;INSTALL_DIR;RUNTIME" "HEADERS;LOCK_PATH;DEPENDS")
   suture_check_arguments("${arg_UNPARSED_ARGUMENTS}" "${arg_KEYWORDS_MISSING_VALUES}")
   suture_check_target("${arg_TARGET}")
   suture_default(arg_BASE_DIR ${CMAKE_CURRENT_SOURCE_DIR})
@@ -52,6 +55,7 @@ function(suture_generate)
   if(suturec)
     set(generated ${CMAKE_BINARY_DIR}/generated)
     set(schemas ${generated})
+    suture_define_inputs(${arg_TARGET} "${arg_DEPENDS}")
     suture_run_compiler("${suturec}" ${arg_TARGET} "${arg_BASE_DIR}" "${generated}" "${lock_dirs}" "${stems}" "${entry}")
     suture_register_upkeep("${suturec}" ${arg_TARGET} "${stems}" "${entry}")
   else()

@@ -9,7 +9,7 @@ function(suture_default variable value)
 endfunction()
 
 function(suture_check_arguments unknown without_value)
-  set(known "it takes TARGET, HEADERS, BASE_DIR, LOCK_DIR, LOCK_PATH, INSTALL_DIR, LOADABLE and RUNTIME")
+  set(known "it takes TARGET, HEADERS, BASE_DIR, LOCK_DIR, LOCK_PATH, DEPENDS, INSTALL_DIR, LOADABLE and RUNTIME")
   if(unknown)
     message(FATAL_ERROR "suture_generate: unknown argument '${unknown}'; ${known}.")
   endif()

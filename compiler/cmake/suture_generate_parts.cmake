@@ -133,6 +133,21 @@ function(suture_write_arguments work target base generated lock_dirs stems entry
   file(GENERATE OUTPUT ${file} CONTENT "${script}" TARGET ${target})
 endfunction()
 
+# Defines TARGET_inputs, for which each run of suturec waits: it builds what DEPENDS names.
+function(suture_define_inputs target depends)
+  set(targets "")
+  foreach(name IN LISTS depends)
+    if(TARGET ${name})
+      list(APPEND targets ${name})
+      list(REMOVE_ITEM depends ${name})
+    endif()
+  endforeach()
+  add_custom_target(${target}_inputs DEPENDS ${depends})
+  if(targets)
+    add_dependencies(${target}_inputs ${targets})
+  endif()
+endfunction()
+
 # Runs suturec: the stamp says when it ran, and the generated files change only with their text. Of a command that fails Ninja prints all
 # outputs and the command itself, before what the command says. So that a message is not buried, this one has one output and paths below
 # the build folder; CMake would add a longer command that rewrites the depfile, which needs no rewriting.
@@ -175,6 +190,7 @@ function(suture_run_compiler suturec target base generated lock_dirs stems entry
     VERBATIM)
   set_source_files_properties(${outputs} PROPERTIES GENERATED TRUE)
   add_custom_target(${target}_suture DEPENDS ${work}.written)
+  add_dependencies(${target}_suture ${target}_inputs)
   add_dependencies(${target} ${target}_suture)
   target_sources(${target} PRIVATE ${work}.written)
 endfunction()

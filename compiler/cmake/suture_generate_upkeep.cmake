@@ -26,6 +26,7 @@ function(suture_add_lock_target common arguments suturec target)
     WORKING_DIRECTORY ${CMAKE_BINARY_DIR}
     COMMENT "Updating the locked schemas of ${target}"
     VERBATIM)
+  add_dependencies(${target}_${common} ${target}_inputs)
   if(NOT TARGET ${common})
     add_custom_target(${common})
   endif()

@@ -247,12 +247,20 @@ def committed(project):
     expect(status != 0 and "count/old.suture.h is generated from no header" in text, "and names a left-over", text)
 
 
+def generated_header(project):
+    """A header that a build step writes is one of those that suturec waits for."""
+    project.edit("count/numbers.in", "3;", "4;")
+    text = project.must_build("builds")
+    expect(sorted(runs_of_suturec(text)) == ["count", "watch"], "the input of a build step: one run a target", text)
+    no_change(project)
+
+
 # The first rows begin in a project that has been configured, the others in one that has been built.
 CONFIGURED = {"no_lock": stops_without_lock}
 BUILT = {row.__name__: row for row in (no_change, touched_header, edited_comment, transitive_header, new_field,
                                        changed_define, configurations, added_header, removed_output, stale_output,
                                        bad_header, buried_message, many_sources, interrupted, capnp_interrupted,
-                                       committed)}
+                                       generated_header, committed)}
 
 
 def fails(name, row, project, kept):

@@ -2,6 +2,7 @@
 #include <suture/annotate.h>
 
 #include "count/limits.h"
+#include "numbers.h"
 
 namespace scratch {
 
