@@ -211,6 +211,62 @@ model::Diagnostic missing(const Judged& judged, const Options& options) {
           {}};
 }
 
+/// Finds headers of other targets that ours use and whose locks the run has not read: the places of
+/// what they declare would follow the order of their declarations, which may change.
+class UnlockedHeaders {
+ public:
+  UnlockedHeaders(const model::Model& model, const model::Lookup& lookup, const Locks& locks)
+      : lookup_(lookup), locks_(locks) {
+    for (const model::Header& header : model.headers) headers_[lockPath(header.path)] = &header;
+  }
+
+  /// Reports each at what first leads to it.
+  Diagnostics usedBy(const Judged& judged) {
+    for (const WantedNode& node : judged.wanted) {
+      for (const std::string& base : node.node.extends) visit(base, judged.old.path, node.source);
+      for (const WantedMember& member : node.members) {
+        visit(member.member, judged.old.path, member.source);
+      }
+    }
+    return std::exchange(found_, {});
+  }
+
+ private:
+  void visit(const Member& member, const std::string& inside, const model::Source& source) {
+    visit(member.type, inside, source);
+    for (const Member& parameter : member.parameters) visit(parameter, inside, source);
+    for (const Member& result : member.results) visit(result, inside, source);
+  }
+
+  void visit(const std::string& type, const std::string& inside, const model::Source& source) {
+    const std::string path = placeOf(type, inside).path;
+    const auto home = headers_.find(path);
+    if (path == inside || home == headers_.end() || home->second->own) return;
+    if (!seen_.insert(path).second) return;
+    if (!locks_.files.contains(path)) return report(*home->second, path, source);
+    for (const WantedNode& node : wanted(*home->second, lookup_)) {
+      for (const std::string& base : node.node.extends) visit(base, path, source);
+      for (const WantedMember& member : node.members) visit(member.member, path, source);
+    }
+  }
+
+  void report(const model::Header& header, const std::string& path, const model::Source& source) {
+    found_.push_back({source,
+                      "lock-missing",
+                      header.path + " of another target has no lock: no lock folder has " + path +
+                          ", and it does not lie beside the header",
+                      "give the lock folder of its project: LOCK_PATH of suture_generate(), or "
+                      "--lock-dir; if there is no lock yet, let that project write it",
+                      {}});
+  }
+
+  const model::Lookup& lookup_;
+  const Locks& locks_;
+  std::map<std::string, const model::Header*> headers_;
+  std::set<std::string> seen_;
+  Diagnostics found_;
+};
+
 model::Diagnostic stale(const Judged& judged, const Options& options) {
   return {
       judged.source(),
@@ -307,6 +363,7 @@ Diagnostics check(const model::Model& model, const Locks& committed, const Optio
   append(all, moves.found);
   const model::Lookup lookup(model);
   const WireNames names(model, lookup);
+  UnlockedHeaders unlocked(model, lookup, locks);
   const auto judge = [&](const Judged& judged, const Lock& merged) {
     append(all, names.clashes(judged.header, judged.wanted));
     append(all, clashesOfComposites(judged.header, lookup));
@@ -316,6 +373,7 @@ Diagnostics check(const model::Model& model, const Locks& committed, const Optio
       all.push_back(missing(judged, options));
       return;
     }
+    append(all, unlocked.usedBy(judged));
     Verdicts found = verdictsOf(judged, merged, options);
     const bool errors = !found.breaks.empty() || !found.pending.empty();
     const bool told = errors || !found.stale.empty();

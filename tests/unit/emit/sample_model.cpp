@@ -405,6 +405,11 @@ model::Model robots() {
   return {{contractHeader(), geometryHeader(), gripperHeader(), componentHeader()}};
 }
 
+model::Model allOwn(model::Model model) {
+  for (model::Header& header : model.headers) header.own = true;
+  return model;
+}
+
 model::Header& armHeader(model::Model& model) { return model.headers.front(); }
 
 }  // namespace suture::compiler::sample

@@ -37,6 +37,9 @@ model::Event event(const std::string& name, std::vector<model::Type> payload = {
 /// and event, a component with parameters).
 model::Model robots();
 
+/// Returns the model as if all its headers were of one target, which writes the locks of all.
+model::Model allOwn(model::Model model);
+
 /// Returns the own header of robots().
 model::Header& armHeader(model::Model& model);
 

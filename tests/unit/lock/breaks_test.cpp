@@ -26,7 +26,7 @@ class BreakTest : public testing::Test {
 
   /// Returns the locks after an update that takes breaks.
   Locks accept(const Locks& old) {
-    const Update taken = update(model_, old, {.acceptBreaks = true});
+    const Update taken = update(sample::allOwn(model_), old, {.acceptBreaks = true});
     EXPECT_TRUE(taken.diagnostics.empty());
     Locks locks = old;
     for (auto& [path, lock] : read(taken.files).files) locks.files[path] = lock;
@@ -40,7 +40,7 @@ class BreakTest : public testing::Test {
   model::Field& speed() { return sample::armHeader(model_).structs[0].fields[3]; }
 
   model::Model model_ = sample::robots();
-  const Locks before_ = read(update(model_, {}).files);
+  const Locks before_ = read(update(sample::allOwn(model_), {}).files);
 };
 
 TEST_F(BreakTest, AnAcceptedBreakRaisesTheMajorVersion) {

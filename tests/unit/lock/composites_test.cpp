@@ -43,7 +43,7 @@ class CompositesTest : public testing::Test {
 
   Locks locks() {
     model::Diagnostics none;
-    return read(update(model_, {}).files, none);
+    return read(update(sample::allOwn(model_), {}).files, none);
   }
 
   Lock lock() { return locks().files.at("robots/arm.capnp"); }
@@ -92,7 +92,7 @@ class TwinHeadersTest : public CompositesTest {
   std::vector<std::string> composites() {
     model_ = settled(model_, locks_);
     model::Diagnostics none;
-    locks_ = read(update(model_, locks_).files, none);
+    locks_ = read(update(sample::allOwn(model_), locks_).files, none);
     const model::Lookup lookup(model_);
     const model::Type type = of(Shape::Optional, {sample::number()});
     return {compositeName(type, lookup, sample::armHeader(model_)),
@@ -116,7 +116,7 @@ TEST_F(TwinHeadersTest, TheHeaderThatIsInUseKeepsItsPrefix) {
   model_.headers.erase(model_.headers.begin());
   model_ = settled(model_, locks_);
   model::Diagnostics none;
-  locks_ = read(update(model_, locks_).files, none);
+  locks_ = read(update(sample::allOwn(model_), locks_).files, none);
   forgetSettled();
   model_.headers.insert(model_.headers.begin(), first);
   EXPECT_EQ(composites(), (std::vector<std::string>{"Arm2OptionalFloat64", "ArmOptionalFloat64"}));
@@ -126,7 +126,7 @@ TEST_F(TwinHeadersTest, TheHeaderThatIsInUseKeepsItsPrefix) {
 
 TEST_F(TwinHeadersTest, LocksThatShareANameAlreadyAreReported) {
   model::Diagnostics none;
-  EXPECT_EQ(slugs(read(update(model_, {}).files, none)),
+  EXPECT_EQ(slugs(read(update(sample::allOwn(model_), {}).files, none)),
             (std::vector<std::string>{"wire-name-clash"}));
 }
 

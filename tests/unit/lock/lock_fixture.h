@@ -16,9 +16,15 @@ using model::Diagnostic;
 using model::Diagnostics;
 using model::Scalar;
 
+/// Returns the locks behind an update, also those of headers of other targets, which have written
+/// theirs before.
 inline Locks lockOf(const model::Model& model, const Locks& old = {}) {
   Diagnostics diagnostics;
-  std::vector<model::Artefact> texts = update(model, old).files;
+  model::Model all = model;
+  for (model::Header& header : all.headers) {
+    header.own = header.own || !old.files.contains(lockPath(header.path));
+  }
+  std::vector<model::Artefact> texts = update(all, old).files;
   for (const auto& file : old.files) {
     const bool replaced = std::any_of(texts.begin(), texts.end(),
                                       [&](const auto& text) { return text.path == file.first; });

@@ -18,8 +18,43 @@ TEST_F(LockTest, HeaderWithoutLockNamesTheCommand) {
 }
 
 TEST_F(LockTest, ForeignHeadersAreNotLockedHere) {
-  EXPECT_TRUE(before_.files.contains("robots/arm.capnp"));
-  EXPECT_FALSE(before_.files.contains("robots/geometry.capnp"));
+  const std::vector<model::Artefact> written = update(model_, {}).files;
+  const auto has = [&](const char* path) {
+    return std::any_of(written.begin(), written.end(),
+                       [&](const model::Artefact& file) { return file.path == path; });
+  };
+  EXPECT_TRUE(has("robots/arm.capnp"));
+  EXPECT_FALSE(has("robots/geometry.capnp"));
+}
+
+// The places of a base contract would else follow the order of its declarations.
+TEST_F(LockTest, AHeaderOfAnotherTargetNeedsItsLock) {
+  Locks without = before_;
+  ASSERT_EQ(without.files.erase("robots/geometry.capnp"), 1u);
+  const Diagnostics found = check(model_, without);
+  ASSERT_EQ(slugs(found), Slugs{"lock-missing"});
+  EXPECT_NE(found[0].message.find("robots/geometry.h of another target"), std::string::npos);
+  EXPECT_NE(found[0].help.find("LOCK_PATH"), std::string::npos);
+  EXPECT_EQ(slugs(update(model_, without).diagnostics), Slugs{});
+}
+
+TEST_F(LockTest, AHeaderOfAnotherTargetNeedsTheLocksOfWhatItUses) {
+  model::Header user;
+  user.path = "lab/user.h";
+  user.cxxNamespace = "lab";
+  model::Interface contract;
+  contract.name = "lab::User";
+  contract.wireName = "User";
+  contract.base = "robots::Arm";
+  user.interfaces = {contract};
+  model_.headers.push_back(user);
+  for (model::Header& header : model_.headers) header.own = header.path == user.path;
+  Locks locks = lockOf(model_);
+  EXPECT_EQ(slugs(check(model_, locks)), Slugs{});
+  ASSERT_EQ(locks.files.erase("robots/geometry.capnp"), 1u);
+  EXPECT_EQ(slugs(check(model_, locks)), Slugs{"lock-missing"});
+  ASSERT_EQ(locks.files.erase("robots/arm.capnp"), 1u);
+  EXPECT_EQ(slugs(check(model_, locks)), Slugs{"lock-missing"});
 }
 
 TEST_F(LockTest, FreshLockIsAcceptedAndStable) {
