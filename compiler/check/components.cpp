@@ -6,6 +6,20 @@
 namespace suture::compiler::check {
 namespace {
 
+/// Reports what would be said of a required interface whose name suturec does not know: it is found
+/// by that when the component is created.
+void checkUnseen(const model::Port& port, model::Diagnostics& findings) {
+  if (!port.optional && !port.maxAgeNanoseconds) return;
+  const std::string said = port.optional ? "optional()" : "max_age()";
+  const std::string call = port.optional ? "makeOptional()" : "limitAge()";
+  addError(findings, port.source, "interface-name-unseen",
+           "'" + port.member + "' is to have " + said +
+               ", and the name of the required interface cannot be seen in the header",
+           "give the name where it is declared, as a literal or a constant: {*this, "
+           "\"Slave\"}; or call its " +
+               call + " in the constructor");
+}
+
 void checkPorts(const model::Component& component, model::Diagnostics& findings) {
   std::map<std::pair<bool, std::string>, const model::Port*> byName;
   for (const model::Port& port : component.ports) {
@@ -14,7 +28,10 @@ void checkPorts(const model::Component& component, model::Diagnostics& findings)
                "'" + port.member + "' has a max_age() that is not positive; nothing is that young",
                "give the age from which data is of no use, such as max_age(10ms)");
     }
-    if (port.name.empty()) continue;
+    if (port.name.empty()) {
+      checkUnseen(port, findings);
+      continue;
+    }
     const auto [first, added] = byName.emplace(std::pair{port.provided, port.name}, &port);
     if (added) continue;
     addError(findings, port.source, "interface-name-clash",

@@ -41,16 +41,29 @@ model::ComponentBase mapBase(const clang::CXXRecordDecl* declaration, Mapping& m
   return model::ComponentBase::Device;
 }
 
-// Returns the first string literal, such as "Arm" in `{*this, "Arm", *this}`; "" if there is none.
-std::string portName(const clang::Stmt* initialiser) {
+/// Returns the text if the compiler knows it: a literal, or a constant that is one.
+std::string constantText(const clang::Expr* text, const clang::ASTContext& context) {
+  text = text->IgnoreUnlessSpelledInSource();
+  if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(text)) {
+    const auto* constant = llvm::dyn_cast<clang::VarDecl>(named->getDecl());
+    const clang::Expr* const value = constant ? constant->getAnyInitializer() : nullptr;
+    return value && constant->getType().isConstant(context) ? constantText(value, context) : "";
+  }
+  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(text)) {
+    return made->getNumArgs() == 1 ? constantText(made->getArg(0), context) : "";
+  }
+  const auto* const literal = llvm::dyn_cast<clang::StringLiteral>(text);
+  return literal && literal->getCharByteWidth() == 1 ? literal->getString().str() : "";
+}
+
+/// Returns what calls an interface so, such as "Arm" in `{*this, "Arm", *this}`; "" if that is not
+/// known before the program runs.
+std::string portName(const clang::FieldDecl* field) {
+  const clang::Expr* const initialiser = field->getInClassInitializer();
   if (!initialiser) return "";
-  if (const auto* literal = llvm::dyn_cast<clang::StringLiteral>(initialiser)) {
-    return literal->getCharByteWidth() == 1 ? literal->getString().str() : "";
-  }
-  for (const clang::Stmt* child : initialiser->children()) {
-    if (std::string name = portName(child); !name.empty()) return name;
-  }
-  return "";
+  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(initialiser->IgnoreImplicit());
+  return made && made->getNumArgs() > 1 ? constantText(made->getArg(1), field->getASTContext())
+                                        : "";
 }
 
 constexpr char kProvided[] = "suture::Provided";
@@ -111,7 +124,7 @@ std::optional<model::Port> mapPort(const clang::FieldDecl* field, Mapping& mappi
   checkHome(field, record, mapping);
   model::Port port;
   port.member = field->getNameAsString();
-  port.name = portName(field->getInClassInitializer());
+  port.name = portName(field);
   port.interface = qualifiedName(record);
   port.provided = name == kProvided;
   const Annotation annotation = mapping.annotationOf(field, Kind::Required);

@@ -325,6 +325,34 @@ TEST(Host, OptionalInterfaceWithoutAConnection) {
   EXPECT_TRUE(host.troubles().empty());
 }
 
+// What the header says would else hold for no interface, and nobody would be told.
+TEST(Host, InterfaceThatHasAnotherNameThanInTheHeader) {
+  const auto problemOf = [](std::unique_ptr<Component> (*create)(const JsonReader&)) {
+    const std::array classes{ComponentClass{"Client", create}};
+    const Deployment deployment = deploymentOf("{\"name\": \"C\", \"class\": \"Client\"}");
+    try {
+      const Host host(deployment, "all", classes);
+    } catch (const DocumentError& error) {
+      return error.problems().front();
+    }
+    return std::string();
+  };
+  constexpr char kProblem[] =
+      "its header declares a required interface 'Leg' that is optional() or has a max_age()";
+  EXPECT_PRED2(contains, problemOf([](const JsonReader& in) {
+                 std::unique_ptr<Component> client = createWithoutParameters<Client>(in);
+                 suture::makeOptional(*client, {"Arm", "Leg"});
+                 return client;
+               }),
+               kProblem);
+  EXPECT_PRED2(contains, problemOf([](const JsonReader& in) {
+                 std::unique_ptr<Component> client = createWithoutParameters<Client>(in);
+                 suture::limitAge(*client, "Leg", 10ms);
+                 return client;
+               }),
+               kProblem);
+}
+
 TEST(Host, UnknownInterfaceNamesTheConnection) {
   const auto problems =
       problemsOf(deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"

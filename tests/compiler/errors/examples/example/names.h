@@ -97,6 +97,7 @@ struct MyClock {
   using duration = std::chrono::nanoseconds;
 };
 double fromFile();
+const char* nameFromFile();
 
 }  // namespace example
 
