@@ -78,6 +78,14 @@ void checkDefault(const Candidate& candidate, Default::State state, Mapping& map
               "receiver would read zero",
           "give it a constant, or make it a std::optional");
       return;
+    case Default::State::NoEnumerator:
+      if (candidate.isExternal) return;
+      mapping.error(candidate.field, "default-not-constant",
+                    "the default of " + subject +
+                        " is no enumerator of its type; where a sender does not know it, a "
+                        "receiver would read the first one",
+                    "initialise it with an enumerator, or make it a std::optional");
+      return;
     case Default::State::NotANumber:
       if (candidate.isExternal) return;
       mapping.error(candidate.field, "default-nan",

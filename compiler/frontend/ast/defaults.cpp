@@ -1,6 +1,7 @@
 #include "compiler/frontend/ast/defaults.h"
 
 #include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclTemplate.h>
 #include <clang/AST/Expr.h>
 
 #include <algorithm>
@@ -31,7 +32,21 @@ std::string enumJson(const clang::EnumDecl* declaration, const llvm::APSInt& val
 
 Default enumerator(const clang::EnumDecl* declaration, const llvm::APSInt& value) {
   const std::string json = enumJson(declaration, value);
-  return json.empty() ? Default{State::NotConstant} : Default{State::Constant, json};
+  return json.empty() ? Default{State::NoEnumerator} : Default{State::Constant, json};
+}
+
+/// Returns the enumerator whose value is 0, which C++ gives a member that says nothing. On the wire
+/// it need not be the zero: that is the enumerator which the lock has first.
+Default zeroOf(const clang::FieldDecl* field, const model::Type& type) {
+  const auto* enumeration = field->getType()->getAs<clang::EnumType>();
+  if (type.shape != Shape::Enum || enumeration == nullptr) return {};
+  return enumerator(enumeration->getDecl(), llvm::APSInt::get(0));
+}
+
+/// Returns nothing where no enumerator has the value 0: then a receiver takes the first one.
+Default zeroIfAny(const clang::FieldDecl* field, const model::Type& type) {
+  const Default zero = zeroOf(field, type);
+  return zero.state == State::Constant ? zero : Default{};
 }
 
 // JSON has no words for infinity; these are the ones that a schema uses.
@@ -116,10 +131,16 @@ Default numberOf(const clang::Expr* initialiser, const clang::FieldDecl* field,
 
 Default seenDefault(const clang::FieldDecl* field, const model::Type& type) {
   const clang::Expr* const initialiser = initialiserOf(field);
-  if (initialiser == nullptr) {
-    return {isNumber(type) && field->hasInClassInitializer() ? State::NotConstant : State::Nothing};
+  if (initialiser == nullptr && field->hasInClassInitializer()) {
+    return {isNumber(type) ? State::NotConstant : State::Nothing};
   }
-  if (saysNothing(initialiser) || initialiser->containsErrors()) return {};
+  if (initialiser == nullptr) return zeroIfAny(field, type);
+  if (initialiser->containsErrors()) return {};
+  if (saysNothing(initialiser)) {
+    // A template cannot name an enumerator of each of its arguments.
+    const bool inTemplate = llvm::isa<clang::ClassTemplateSpecializationDecl>(field->getParent());
+    return inTemplate ? zeroIfAny(field, type) : zeroOf(field, type);
+  }
   if (isNumber(type)) return numberOf(initialiser, field, type);
   if (holdsNan(initialiser, field->getASTContext())) return {State::NotANumber};
   if (type.capacity && lengthOf(initialiser).value_or(0) > *type.capacity) return {State::TooLong};

@@ -12,12 +12,13 @@ namespace suture::compiler::frontend {
 /// Says what a member is by default.
 struct Default {
   enum class State {
-    Nothing,      ///< what its type's own default is, or what only a constructor knows (isPreset)
-    Constant,     ///< what `json` says
-    NotConstant,  ///< a number that is known when the program runs
-    NotANumber,   ///< NaN or something that holds it, which no contract lets pass
-    TooLong,      ///< more bytes or elements than its capacity
-    Unseen,       ///< a number that a constructor may set where suturec cannot see it
+    Nothing,       ///< what its type's own default is, or what only a constructor knows (isPreset)
+    Constant,      ///< what `json` says
+    NotConstant,   ///< a number that is known when the program runs
+    NoEnumerator,  ///< a value of an enum that none of its enumerators has
+    NotANumber,    ///< NaN or something that holds it, which no contract lets pass
+    TooLong,       ///< more bytes or elements than its capacity
+    Unseen,        ///< a number that a constructor may set where suturec cannot see it
   };
 
   State state = State::Nothing;
