@@ -63,10 +63,13 @@ Message resultOf(const Context& context, const model::Interface& interface,
 
 Message payloadOf(const Context& context, const model::Interface& interface,
                   const model::Event& event) {
+  const std::set<std::string> later = laterValues(context, interface, event);
   const std::string title = model::titleCase(event.wireName);
-  return {prefixOf(interface, context) + title + "Event",
-          payloadSlot(interface, event, context, home(context)),
-          wireEventsOf(interface) + "::" + title + "Params", payloadValues(event)};
+  Message message{prefixOf(interface, context) + title + "Event",
+                  payloadSlot(interface, event, context, home(context)),
+                  wireEventsOf(interface) + "::" + title + "Params", payloadValues(event)};
+  for (WireValue& value : message.values) value.isNeeded = !later.contains(value.wireName);
+  return message;
 }
 
 bool useShift(const std::vector<WireValue>& values) {

@@ -2,35 +2,41 @@
 
 #include <algorithm>
 
+#include "compiler/lock/contract_node.h"
 #include "compiler/lock/schema/wanted.h"
 
 namespace suture::compiler::emit {
 namespace {
 
-const lock::Member* lockedCommand(const Context& context, const model::Interface& interface,
-                                  const model::Command& command) {
+/// Returns what stands behind `last`, which ends those that the method was locked with.
+template <class IsLast>
+std::set<std::string> behind(const Context& context, const char* annotation,
+                             const model::Interface& interface, const std::string& method,
+                             const IsLast& last) {
   const std::string path = lock::lockPath(context.lookup.headerOf(interface.name)->path);
-  for (const lock::Node& node : context.schemas.at(path).nodes) {
-    if (node.kind != lock::Node::Kind::Interface || node.name != interface.wireName) continue;
-    for (const lock::Member& member : node.members) {
-      if (member.name == command.wireName) return &member;
-    }
+  const lock::Node* const node = lock::nodeOf(context.schemas.at(path), annotation, interface.name);
+  std::set<std::string> later;
+  if (node == nullptr) return later;
+  for (const lock::Member& member : node->members) {
+    if (member.name != method) continue;
+    const auto end = std::find_if(member.parameters.begin(), member.parameters.end(), last);
+    for (auto one = end; one != member.parameters.end(); ++one) later.insert(one->name);
   }
-  return nullptr;
+  return later;
 }
 
 }  // namespace
 
 std::set<std::string> laterParameters(const Context& context, const model::Interface& interface,
                                       const model::Command& command) {
-  const lock::Member* const locked = lockedCommand(context, interface, command);
-  std::set<std::string> later;
-  if (locked == nullptr) return later;
-  // The parameter `sent` ends those that the command was locked with; later ones follow it.
-  const auto sent = std::find_if(locked->parameters.begin(), locked->parameters.end(),
-                                 [](const lock::Member& one) { return one.type == lock::kSent; });
-  for (auto one = sent; one != locked->parameters.end(); ++one) later.insert(one->name);
-  return later;
+  return behind(context, "cxx", interface, command.wireName,
+                [](const lock::Member& one) { return one.type == lock::kSent; });
+}
+
+std::set<std::string> laterValues(const Context& context, const model::Interface& interface,
+                                  const model::Event& event) {
+  return behind(context, "eventsOf", interface, event.wireName,
+                [](const lock::Member& one) { return one.name == "stamp"; });
 }
 
 }  // namespace suture::compiler::emit

@@ -159,9 +159,9 @@ def versioned(version):
                            for edit, side in chosen for name in side.sees),
         "handlers": "".join(handler(edit, one, True) for edit, one in commands),
         "calls": "".join(edit.text(caller(one, call)) for edit, one in commands for call in one.calls),
-        "listens": "".join(f'  hear("{one.name}", edits.on().{one.name}([](double value) {{ printEvent("{one.name}", value); }}));\n'
+        "listens": "".join(f'  hear("{one.name}", edits.on().{one.name}([](const auto&... values) {{ printEvent("{one.name}", values...); }}));\n'
                            for _, one in events),
-        "emits": "".join(f"  emit.{one.name}({one.emits});\n" for _, one in events),
+        "emits": "".join(edit.text(f"  emit.{one.name}({one.emits});\n") for edit, one in events),
         "kept": "".join(kept(edit, side) for edit, side in broken),
         "provided": "".join(edit.text('  {T}Kept m{T};\n  suture::Provided<{T}Contract> p{T}{owner_, "{T}", m{T}};\n')
                             for edit, _ in broken),

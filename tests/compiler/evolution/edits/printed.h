@@ -52,8 +52,11 @@ void hear(const char* name, const Subscribed& subscribed) {
   if (!subscribed) std::cout << "on " << name << ": " << toString(subscribed.error()) << std::endl;
 }
 
-inline void printEvent(const char* name, double value) {
-  std::cout << "event " << name << " " << value << std::endl;
+template <class... Values>
+void printEvent(const char* name, const Values&... values) {
+  std::cout << "event " << name;
+  ((std::cout << " " << text(values)), ...);
+  std::cout << std::endl;
 }
 
 }  // namespace edits
