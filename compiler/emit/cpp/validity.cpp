@@ -1,6 +1,7 @@
 #include "compiler/emit/cpp/validity.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "compiler/emit/text/contract.h"
@@ -49,6 +50,24 @@ std::string coefficientsCondition(const Type& type, const std::string& slot, con
                within(item, range, 1));
 }
 
+/// Returns the lowest and the highest value of an integer.
+std::pair<double, double> limitsOf(model::Scalar scalar) {
+  const auto ofBits = [](int bits) {
+    return std::pair{-std::exp2(bits - 1), std::exp2(bits - 1) - 1};
+  };
+  const auto ofUnsigned = [](int bits) { return std::pair{0.0, std::exp2(bits) - 1}; };
+  switch (scalar) {
+    case model::Scalar::Int8: return ofBits(8);
+    case model::Scalar::Int16: return ofBits(16);
+    case model::Scalar::Int32: return ofBits(32);
+    case model::Scalar::UInt8: return ofUnsigned(8);
+    case model::Scalar::UInt16: return ofUnsigned(16);
+    case model::Scalar::UInt32: return ofUnsigned(32);
+    case model::Scalar::UInt64: return ofUnsigned(64);
+    default: return ofBits(64);
+  }
+}
+
 /// Returns true if anything in the type has to be looked at.
 bool isChecked(const Type& type) {
   switch (type.shape) {
@@ -66,11 +85,23 @@ bool isChecked(const Type& type) {
   return std::any_of(type.element.begin(), type.element.end(), isChecked);
 }
 
-/// Tells if the type has an enum: its slot is a number, and only the enum's own check knows which
-/// numbers it declares.
-bool holdsEnum(const Type& type) {
-  return type.shape == Shape::Enum ||
-         std::any_of(type.element.begin(), type.element.end(), holdsEnum);
+/// Returns the nanoseconds that the C++ type of a duration can count, if its slot holds more.
+Range countedNanoseconds(const Type& type) {
+  if (type.shape != Shape::Duration || isReal(type.scalar)) return std::nullopt;
+  const double tick =
+      1e9 * static_cast<double>(type.periodNumerator) / static_cast<double>(type.periodDenominator);
+  const auto [lowest, highest] = limitsOf(type.scalar);
+  constexpr double kSlot = 0x1p63;
+  if (lowest * tick <= -kSlot && highest * tick >= kSlot) return std::nullopt;
+  return std::pair{lowest * tick, highest * tick};
+}
+
+/// Tells if the slot of the type, or of what is in it, is a number that may be none of the C++
+/// type: the enum does not declare it, or the duration does not count so far. The slot's own check
+/// does not know that.
+bool isNarrower(const Type& type) {
+  return type.shape == Shape::Enum || countedNanoseconds(type).has_value() ||
+         std::any_of(type.element.begin(), type.element.end(), isNarrower);
 }
 
 /// Returns the condition of a type that one overload of the runtime's isValid() judges as a whole.
@@ -83,7 +114,7 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
 
 std::string mapCondition(const Type& type, const std::string& slot, const Range& range,
                          const Context& context, unsigned depth) {
-  if (!range && !holdsEnum(type)) return wholeCondition(type, slot);
+  if (!range && !isNarrower(type)) return wholeCondition(type, slot);
   const std::string item = "element" + depthSuffix(depth);
   const std::string key = condition(type.element.front(), item + ".key", {}, context, depth + 1);
   const std::string value =
@@ -96,7 +127,7 @@ std::string mapCondition(const Type& type, const std::string& slot, const Range&
 /// Returns what can be called with a slot of the type and tells if that may be acted on.
 std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   if (type.shape == Shape::Enum) return enumCheck(type.name, context);
-  if (!holdsEnum(type)) return "suture::Valid{path}";
+  if (!isNarrower(type)) return "suture::Valid{path}";
   const std::string item = "element" + depthSuffix(depth);
   const std::string itemType = slotType(type, context, context.header.cxxNamespace);
   return lambda("const " + itemType + "& " + item, condition(type, item, {}, context, depth + 1));
@@ -105,7 +136,7 @@ std::string checkOf(const Type& type, const Context& context, unsigned depth) {
 /// Gives a tuple or a variant one check for each thing that is, or may be, in it.
 std::string eachCondition(const char* function, const Type& type, const std::string& slot,
                           const Context& context, unsigned depth) {
-  if (!holdsEnum(type)) return wholeCondition(type, slot);
+  if (!isNarrower(type)) return wholeCondition(type, slot);
   std::string checks;
   for (const Type& element : type.element) {
     checks += std::string(", ") + kBreak + checkOf(element, context, depth + 1);
@@ -115,7 +146,15 @@ std::string eachCondition(const char* function, const Type& type, const std::str
 
 /// Returns the condition of a number of seconds, whose slot holds its count or nanoseconds.
 std::string durationCondition(const Type& type, const std::string& slot, const Range& range) {
+  const Range counted = countedNanoseconds(type);
+  if (!range && counted) return within(slot, counted, 1);
   if (!range) return isChecked(type) ? "isValid(" + slot + ")" : "";
+  if (counted) {
+    return within(slot,
+                  std::pair{std::max(range->first * 1e9, counted->first),
+                            std::min(range->second * 1e9, counted->second)},
+                  1);
+  }
   const double counts =
       static_cast<double>(type.periodDenominator) / static_cast<double>(type.periodNumerator);
   return within(slot, range, isReal(lock::wireScalar(type)) ? counts : 1e9);
@@ -155,7 +194,7 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
     case Shape::Variant: return eachCondition("suture::theOneOf", type, slot, context, depth);
     case Shape::Map: return mapCondition(type, slot, range, context, depth);
     case Shape::Optional:
-      if (!range && !holdsEnum(type)) return wholeCondition(type, slot);
+      if (!range && !isNarrower(type)) return wholeCondition(type, slot);
       [[fallthrough]];
     case Shape::List:
     case Shape::Array: return sequenceCondition(type, slot, range, context, depth);

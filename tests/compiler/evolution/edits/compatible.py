@@ -5,6 +5,7 @@ from edit import FINE, NOTHING, REFUSES, Call, Command, Edit, Event, Side
 OUTSIDE = "value outside its declared limits"
 LONGER = "larger than the declared capacity"
 
+LIMIT = "a capacity, a range, the representation of a duration"
 POLICY = "a queue, `latest()`, `latched()`, `ttl()`, `deadline()`"
 
 
@@ -60,8 +61,6 @@ FIELDS = [
          record("  double a = 1;", sends={"a": "5"}, sees={"a": "6"}),
          Side(types=based("  double a = 1;"), sends={"a": "6", "id": "8"}, sees={"a": "5", "id": "7"}),
          build="lock-new"),
-    # What the lock knows keeps its name on the wire, wherever it stands now.
-    Edit("field added that clashes on the wire", "a field or a base",
     # The zero of the wire is the first enumerator, and that of C++ the one whose value is 0.
     Edit("enum added whose first enumerator is not its zero", "a field or a base",
          record("  std::int32_t a = 1;", sends={"a": "5"}, sees={"a": "6"}),
@@ -71,6 +70,8 @@ FIELDS = [
               sends={"a": "6", "braces": "{T}Mode::Run", "call": "{T}Mode::Run", "plain": "{T}Mode::Run"},
               sees={"a": "5", "braces": "0", "call": "0", "plain": "0"}),
          build="lock-new"),
+    # What the lock knows keeps its name on the wire, wherever it stands now.
+    Edit("field added that clashes on the wire", "a field or a base",
          record("  std::int32_t Gain = 1;", sends={"Gain": "5"}, sees={"Gain": "6"}),
          record("  std::int32_t gain = 2;\n  std::int32_t Gain = 1;",
                 sends={"gain": "7", "Gain": "6"}, sees={"gain": "2", "Gain": "5"}),
@@ -218,20 +219,29 @@ def bounded(name, capacity, *calls):
                   commands=(Command("void %s(const {T}& value)" % name, calls=calls),))
 
 
+def ticks(representation, *calls):
+    """A command that takes milliseconds, counted by such an integer."""
+    return Side(types="using {T}Ticks = std::chrono::duration<%s, std::milli>;\n" % representation,
+                commands=(Command("void pause({T}Ticks a)", calls=calls),))
+
+
 LIMITS = [
-    Edit("range narrowed", "a capacity, a range",
+    Edit("range narrowed", LIMIT,
          ranged("narrow", "range(0, 10)", Call("{T}{4}", heard="value={4}"), Call("{T}{8}", OUTSIDE, heard=None)),
          ranged("narrow", "range(0, 5)", Call("{T}{4}", heard="value={4}")), build="lock-range", diff=REFUSES),
-    Edit("range widened", "a capacity, a range",
+    Edit("range widened", LIMIT,
          ranged("widen", "range(0, 5)", Call("{T}{4}", heard="value={4}")),
          ranged("widen", "range(0, 10)", Call("{T}{4}", heard="value={4}"), Call("{T}{8}", OUTSIDE, heard=None)),
          build="lock-range", diff=REFUSES),
-    Edit("capacity lowered", "a capacity, a range",
+    Edit("capacity lowered", LIMIT,
          bounded("shorten", "4", Call('{T}{"four"}', LONGER, heard=None)),
          bounded("shorten", "2", Call('{T}{"2x"}', heard="value={'2x'}")), build="lock-range", diff=REFUSES),
-    Edit("capacity raised", "a capacity, a range",
+    Edit("capacity raised", LIMIT,
          bounded("lengthen", "2", Call('{T}{"2x"}', heard="value={'2x'}")),
          bounded("lengthen", "4", Call('{T}{"four"}', LONGER, heard=None)), build="lock-range", diff=REFUSES),
+    Edit("duration counted in fewer bits", LIMIT,
+         ticks("std::int64_t", Call("{T}Ticks(100)", heard="a=100"), Call("{T}Ticks(300)", OUTSIDE, heard=None)),
+         ticks("std::int8_t", Call("{T}Ticks(100)", heard="a=100")), diff=NOTHING),
 ]
 
 
@@ -287,6 +297,12 @@ EVENTS = [
     Edit("event renamed with was", "a name, by `was()`",
          Side(events=(Event("before_event", "double", emits="7", heard="8"),)),
          Side(events=(Event("behind_event", "double", 'was("before_event")', emits="8", heard="7"),)), build="lock-renamed"),
+    Edit("values added to an event", "a parameter, a value of an event",
+         Side(types=PART % ("", "Part", ""), events=(Event("grown_event", "double", emits="7", heard="8"),)),
+         Side(types=PART % ("", "Part", ""),
+              events=(Event("grown_event", "double, {T}Part, std::array<double, 2>, double", emits="8, {T}Part{9}, {}, 3",
+                            heard="7 {1} [0,0] 0"),)),
+         build="lock-new"),
     Edit("event made latched", POLICY,
          Side(events=(Event("kept_event", "double", emits="7", heard="8"),)),
          Side(events=(Event("kept_event", "double", "latched()", emits="8", heard="7"),)), build="lock-stale"),
@@ -310,12 +326,6 @@ INHERITED = [
          Side(events=(Event("inherited_event", "double", "latched()", emits="7"),)), build="lock-new", inherited=True),
     Edit("commands of a base reordered", "the order of declarations",
          commands(Command("void left(std::int32_t a)", calls=(Call("1", heard="a=1"),)),
-    Edit("values added to an event", "a parameter, a value of an event",
-         Side(types=PART % ("", "Part", ""), events=(Event("grown_event", "double", emits="7", heard="8"),)),
-         Side(types=PART % ("", "Part", ""),
-              events=(Event("grown_event", "double, {T}Part, std::array<double, 2>, double", emits="8, {T}Part{9}, {}, 3",
-                            heard="7 {1} [0,0] 0"),)),
-         build="lock-new"),
                   Command("void right(std::int32_t a)", calls=(Call("2", heard="a=2"),))),
          commands(Command("void right(std::int32_t a)", calls=(Call("4", heard="a=4"),)),
                   Command("void left(std::int32_t a)", calls=(Call("3", heard="a=3"),))),
