@@ -9,12 +9,16 @@
 namespace suture::compiler::lock {
 namespace {
 
+void write(const Annotations& annotations, const char* name, std::string& text) {
+  const auto found = annotations.find(name);
+  if (found != annotations.end()) text += std::string(" ") + name + found->second;
+}
+
 void write(const Member& member, std::string& text) {
   text += std::to_string(member.ordinal) + " " + member.name + " " + member.type;
-  for (const char* const name : kMeaningful) {
-    const auto found = member.annotations.find(name);
-    if (found != member.annotations.end()) text += std::string(" ") + name + found->second;
-  }
+  for (const char* const name : kMeaningful) write(member.annotations, name, text);
+  // Where the hashes are equal, nobody looks for an element that is there twice.
+  write(member.annotations, "distinct", text);
   text += member.defaultValue.empty() ? "\n" : " = " + member.defaultValue + "\n";
   for (const Member& parameter : member.parameters) write(parameter, text);
   if (member.isMethod) text += "->\n";

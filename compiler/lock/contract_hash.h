@@ -10,8 +10,8 @@ namespace suture::compiler::lock {
 
 /// Returns a hash for each interface of the own headers, by qualified C++ name: 32 hexadecimal
 /// digits (the first 128 bits of SHA-256) over its methods, events, state and all types they reach:
-/// names, ids, ordinals, wire types, and the annotations that change meaning. Documentation,
-/// capacities, ranges and policies do not count. `schemas` come from upToDate().
+/// names, ids, ordinals, wire types, the annotations that change meaning, and what is a set.
+/// Documentation, capacities, ranges and policies do not count. `schemas` come from upToDate().
 std::map<std::string, std::string> contractHashes(const model::Model& model,
                                                   const std::map<std::string, Lock>& schemas);
 

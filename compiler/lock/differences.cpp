@@ -317,6 +317,7 @@ class Comparison {
   static std::string consequenceOf(const std::string& annotation) {
     if (annotation == "range") return "; each side refuses what lies outside its own";
     if (annotation == "capacity") return "; each side refuses what exceeds its own";
+    if (annotation == "distinct") return "; a set refuses what is in it twice";
     return "";
   }
 

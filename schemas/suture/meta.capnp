@@ -43,6 +43,9 @@ annotation range @0x94378331cf3a0f00 (field, param) :Range;
 annotation capacity @0xb9153c2d27d33063 (field, param, method) :List(UInt32);
 # Upper bounds of text and lists, outside in; 0 = unbounded.
 
+annotation distinct @0xd8f5a03b6c1e9427 (field, param, method) :List(UInt32);
+# The levels of lists that are sets, 0 the outermost: the receiving end refuses an element that is there twice.
+
 annotation bulk @0xe60b8c2f94a7d135 (field, param, method) :Text;
 # break. "Float64"...: the bytes are such numbers, little-endian, one behind the other.
 

@@ -75,6 +75,18 @@ std::string capacities(const Type& type) {
   return bounded ? "[" + numbers + "]" : "";
 }
 
+/// Returns the levels of lists whose elements differ from each other, such as "[0]" for a set, or
+/// "" if there are none.
+std::string distinctLevels(const Type& type) {
+  std::string levels;
+  unsigned depth = 0;
+  for (const Type* level = &type; level->shape == Shape::Array || level->shape == Shape::List;
+       level = &level->element.front(), ++depth) {
+    if (level->distinct) levels += (levels.empty() ? "" : ", ") + std::to_string(depth);
+  }
+  return levels.empty() ? "" : "[" + levels + "]";
+}
+
 }  // namespace
 
 std::string namedEigenType(const Type& type) {
@@ -188,6 +200,7 @@ std::map<std::string, std::string> typeAnnotations(const Type& type) {
   if (type.shape != Shape::AnyMatrix)
     add("bulk", bulkScalar(type).empty() ? "" : quoted(bulkScalar(type)));
   add("capacity", capacities(type));
+  add("distinct", distinctLevels(type));
   return result;
 }
 

@@ -40,7 +40,7 @@ std::string declaredType(const std::string& name, const model::Lookup& lookup,
 std::string wireType(const model::Type& type, const model::Lookup& lookup,
                      const model::Header& inside);
 
-/// Returns those of shape, period, clock, bulk and capacity that apply, in the form of
+/// Returns those of shape, period, clock, bulk, capacity and distinct that apply, in the form of
 /// Member::annotations.
 std::map<std::string, std::string> typeAnnotations(const model::Type& type);
 

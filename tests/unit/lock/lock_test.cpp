@@ -220,6 +220,23 @@ TEST_F(LockTest, ACapacityHasToBeWrittenButIsNoBreak) {
   EXPECT_TRUE(update(model_, before_).diagnostics.empty());
 }
 
+// Where the hashes are equal, slots are loaded as they are, and a set drops what is there twice.
+TEST_F(LockTest, ASetInPlaceOfAListHasToBeWrittenAndIsNoBreak) {
+  const auto hash = [&] {
+    return contractHashes(model_, upToDate(model_, before_)).at("robots::Arm");
+  };
+  const std::string ofList = hash();
+  model::Field& list = field("names");
+  ASSERT_EQ(list.type.shape, model::Type::Shape::List);
+  list.type.distinct = true;
+  EXPECT_EQ(slugs(check(model_, before_)), Slugs{"lock-range"});
+  EXPECT_NE(hash(), ofList);
+  const Locks after = lockOf(model_, before_);
+  EXPECT_TRUE(check(model_, after).empty());
+  list.type.distinct = false;
+  EXPECT_EQ(slugs(check(model_, after)), Slugs{"lock-range"});
+}
+
 TEST_F(LockTest, ARemovedCommandIsABreak) {
   arm().commands.erase(arm().commands.begin());
   EXPECT_EQ(slugs(check(model_, before_)), Slugs{"lock-break"});

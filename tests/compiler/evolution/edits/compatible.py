@@ -6,6 +6,7 @@ OUTSIDE = "value outside its declared limits"
 LONGER = "larger than the declared capacity"
 
 LIMIT = "a capacity, a range, the representation of a duration"
+SET = "a `std::vector` that becomes a set, or back"
 POLICY = "a queue, `latest()`, `latched()`, `ttl()`, `deadline()`"
 
 
@@ -225,6 +226,11 @@ def ticks(representation, *calls):
                 commands=(Command("void pause({T}Ticks a)", calls=calls),))
 
 
+def collected(name, container, *calls):
+    return record("  SUTURE_FIELD(capacity(4)) std::%s<std::int32_t> a;" % container,
+                  commands=(Command("void %s(const {T}& value)" % name, calls=calls),))
+
+
 LIMITS = [
     Edit("range narrowed", LIMIT,
          ranged("narrow", "range(0, 10)", Call("{T}{4}", heard="value={4}"), Call("{T}{8}", OUTSIDE, heard=None)),
@@ -239,6 +245,13 @@ LIMITS = [
     Edit("capacity raised", LIMIT,
          bounded("lengthen", "2", Call('{T}{"2x"}', heard="value={'2x'}")),
          bounded("lengthen", "4", Call('{T}{"four"}', LONGER, heard=None)), build="lock-range", diff=REFUSES),
+    Edit("vector made a set", SET,
+         collected("collect", "vector", Call("{T}{{1, 3}}", heard="value={[1,3]}"), Call("{T}{{3, 1, 3}}", OUTSIDE, heard=None)),
+         collected("collect", "set", Call("{T}{{3, 1}}", heard="value={[1,3]}")), build="lock-range", diff=REFUSES),
+    Edit("set made a vector", SET,
+         collected("gather", "set", Call("{T}{{3, 1}}", heard="value={[1,3]}")),
+         collected("gather", "vector", Call("{T}{{1, 3}}", heard="value={[1,3]}"), Call("{T}{{3, 1, 3}}", OUTSIDE, heard=None)),
+         build="lock-range", diff=REFUSES),
     Edit("duration counted in fewer bits", LIMIT,
          ticks("std::int64_t", Call("{T}Ticks(100)", heard="a=100"), Call("{T}Ticks(300)", OUTSIDE, heard=None)),
          ticks("std::int8_t", Call("{T}Ticks(100)", heard="a=100")), diff=NOTHING),

@@ -11,6 +11,7 @@ HEAD = """#pragma once
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>

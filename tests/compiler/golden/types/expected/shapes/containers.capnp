@@ -164,9 +164,9 @@ struct Sequences @0xdd7a64a833e189af $Meta.cxx("shapes::Sequences") {
   path @5 :List(Point) $Meta.capacity([3]);
   bits @6 :List(Bool) $Meta.capacity([4]);
   flags @7 :List(Bool) $Meta.capacity([4]);
-  numbers @8 :List(Int32) $Meta.capacity([4]);
-  words @9 :List(Text) $Meta.capacity([3, 6]);
-  levels @10 :List(Level) $Meta.capacity([3]);
+  numbers @8 :List(Int32) $Meta.capacity([4]) $Meta.distinct([0]);
+  words @9 :List(Text) $Meta.capacity([3, 6]) $Meta.distinct([0]);
+  levels @10 :List(Level) $Meta.capacity([3]) $Meta.distinct([0]);
   gains @11 :List(ShapesContainersEntryOfTextToFloat64) $Meta.capacity([3, 6]);
   points @12 :List(ShapesContainersEntryOfUInt16ToPoint) $Meta.capacity([3]);
   series @13 :List(ShapesContainersEntryOfTextToListOfFloat32) $Meta.capacity([2, 4, 3]);

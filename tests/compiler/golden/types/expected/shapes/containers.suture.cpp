@@ -375,7 +375,7 @@ constexpr suture::EventInfo kStoreEvents[] = {
 // The self-description, as in shapes/containers.suture.json.
 constexpr char kStoreDescription[] = R"json(
 {"name": "shapes::Store", "doc": "Composites right in a contract.",
-"hash": "5839ad6669a078a7c2d8c90f1fd4ac0e", "commands": [{"name": "put", "kind": "write",
+"hash": "e9d3a1f58314be00d17d84e627a75b81", "commands": [{"name": "put", "kind": "write",
 "ordinal": 1, "parameters": [{"name": "value", "type": {"kind": "struct",
 "name": "shapes::Sequences"}}], "queue": 16}, {"name": "choose", "kind": "write", "ordinal": 2,
 "parameters": [{"name": "gain", "type": {"kind": "optional", "element": {"kind": "Float64"}}}],
@@ -564,7 +564,7 @@ template <>
 const InterfaceInfo& interfaceInfo<shapes::Store>() {
   static constexpr InterfaceInfo kInfo{
       .name = "shapes::Store",
-      .hash = "5839ad6669a078a7c2d8c90f1fd4ac0e",
+      .hash = "e9d3a1f58314be00d17d84e627a75b81",
       .description = shapes::kStoreDescription,
       .commands = shapes::kStoreCommands,
       .events = shapes::kStoreEvents,

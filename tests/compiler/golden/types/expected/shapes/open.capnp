@@ -85,7 +85,7 @@ struct Open @0xc2c5885ffab9947b $Meta.cxx("shapes::Open") {
   pair @6 :List(Text) $Meta.shape("2");
   words @7 :List(Text) $Meta.capacity([2, 0]);
   shorts @8 :List(Text) $Meta.capacity([0, 3]);
-  keys @9 :List(Text);
+  keys @9 :List(Text) $Meta.distinct([0]);
   series @10 :List(ShapesOpenEntryOfTextToListOfPoint);
   note @11 :ShapesOpenOptionalText;
   either @12 :ShapesOpenEitherOfNothingOrTextOrPoint;

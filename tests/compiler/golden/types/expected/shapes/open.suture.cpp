@@ -271,7 +271,7 @@ constexpr suture::EventInfo kArchiveEvents[] = {
 // The self-description, as in shapes/open.suture.json.
 constexpr char kArchiveDescription[] = R"json(
 {"name": "shapes::Archive", "doc": "What a device may offer.",
-"hash": "1d01cde4610ec40ffda48eb584c8217d", "commands": [{"name": "put", "kind": "write",
+"hash": "edf51db6763ba6c59e6fa31b08344c89", "commands": [{"name": "put", "kind": "write",
 "ordinal": 1, "doc": "Keeps `value` under `key`.", "parameters": [{"name": "key", "type": {
 "kind": "text"}}, {"name": "value", "type": {"kind": "struct", "name": "shapes::Open"}}],
 "queue": 16}, {"name": "remark", "kind": "write", "ordinal": 2, "parameters": [{"name": "text",
@@ -393,7 +393,7 @@ template <>
 const InterfaceInfo& interfaceInfo<shapes::Archive>() {
   static constexpr InterfaceInfo kInfo{
       .name = "shapes::Archive",
-      .hash = "1d01cde4610ec40ffda48eb584c8217d",
+      .hash = "edf51db6763ba6c59e6fa31b08344c89",
       .description = shapes::kArchiveDescription,
       .commands = shapes::kArchiveCommands,
       .events = shapes::kArchiveEvents,
