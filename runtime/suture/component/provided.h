@@ -1,6 +1,11 @@
 #pragma once
 // A provided interface runs a component's commands, publishes its reads and emits its events.
 
+#ifdef emit
+#error \
+    "emit is a macro here, as of Qt: define QT_NO_KEYWORDS, and write Q_EMIT, Q_SIGNALS and Q_SLOTS"
+#endif
+
 #include <suture/base/errors.h>
 #include <suture/component/channel/channel_list.h>
 #include <suture/component/channel/channel_status.h>
