@@ -1,5 +1,6 @@
 #include "compiler/model/naming.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstddef>
 
@@ -71,6 +72,13 @@ std::string stemOf(std::string_view headerPath) {
   const bool hasExtension =
       dot != std::string_view::npos && (slash == std::string_view::npos || dot > slash);
   return std::string(hasExtension ? headerPath.substr(0, dot) : headerPath);
+}
+
+std::string plainPath(std::string path) {
+  std::replace_if(
+      path.begin(), path.end(),
+      [](char c) { return c != '/' && std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  return path;
 }
 
 }  // namespace suture::compiler::model

@@ -41,4 +41,7 @@ std::string wireNamespace(std::string_view cxxNamespace);
 /// Turns "arm/arm.h" into "arm/arm": what the names of all its artefacts begin with.
 std::string stemOf(std::string_view headerPath);
 
+/// Puts '_' in the place of all that names on the wire cannot have; slashes stay.
+std::string plainPath(std::string path);
+
 }  // namespace suture::compiler::model

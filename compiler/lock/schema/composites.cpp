@@ -110,7 +110,7 @@ bool isComposite(const Type& type) {
 
 std::string prefixOf(const model::Header& header) {
   if (!header.wirePrefix.empty()) return header.wirePrefix;
-  const std::string stem = model::stemOf(header.path);
+  const std::string stem = model::plainPath(model::stemOf(header.path));
   std::string result, last;
   for (std::size_t begin = 0; begin <= stem.size();) {
     const std::size_t end = std::min(stem.find('/', begin), stem.size());

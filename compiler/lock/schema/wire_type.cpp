@@ -207,8 +207,8 @@ std::map<std::string, std::string> typeAnnotations(const Type& type) {
 std::string quoted(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
+    if (c == '"' || c == '\\' || c == '\n') result += '\\';
+    result += c == '\n' ? 'n' : c;
   }
   return result + '"';
 }
@@ -216,8 +216,9 @@ std::string quoted(std::string_view text) {
 std::string unquoted(std::string_view literal) {
   std::string text;
   for (std::size_t i = 1; i + 1 < literal.size(); ++i) {
-    if (literal[i] == '\\' && i + 2 < literal.size()) ++i;
-    text += literal[i];
+    const bool isEscape = literal[i] == '\\' && i + 2 < literal.size();
+    if (isEscape) ++i;
+    text += isEscape && literal[i] == 'n' ? '\n' : literal[i];
   }
   return text;
 }

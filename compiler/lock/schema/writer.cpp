@@ -21,11 +21,8 @@ using Aliases = std::map<std::string, std::string>;
 
 /// Makes a name for capnp of what a file or folder is called: "MyArm" of "my-arm", "File3d" of
 /// "3d".
-std::string titleOf(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(),
-      [](char c) { return c != '/' && !std::isalnum(static_cast<unsigned char>(c)); }, '_');
-  const std::string title = model::titleCase(model::camelCase(name));
+std::string titleOf(const std::string& name) {
+  const std::string title = model::titleCase(model::camelCase(model::plainPath(name)));
   const bool named = !title.empty() && std::isupper(static_cast<unsigned char>(title.front()));
   return named ? title : "File" + title;
 }

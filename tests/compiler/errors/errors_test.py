@@ -120,6 +120,29 @@ def check_usage(suturec, arguments, words):
     return [] if good else [f"suturec {arguments}: status {done.returncode}, no '{words}' in\n{text}"]
 
 
+# These are headers that no file of this tree can be. Each has its name, its bytes, and what is written for it: the
+# ending of a file, and the words in it. Each is read twice, so that the lock of the first time is, too.
+ODD_FILES = [
+    ("my-arm.v2.h", b"struct SUTURE_TYPE() Goal { std::optional<double> x; };", "capnp", "struct MyArmV2OptionalFloat64 "),
+    ("lines.h", b'struct SUTURE_TYPE(deprecated("use Aim\\ninstead")) Goal { double x = 0; };', "capnp",
+     '$Meta.deprecated("use Aim\\\\ninstead")'),
+]
+
+
+def check_odd_file(suturec, flags, name, text, ending, words):
+    with tempfile.TemporaryDirectory() as folder:
+        header = pathlib.Path(folder) / name
+        header.write_bytes(b"#pragma once\n#include <suture/annotate.h>\n#include <optional>\nnamespace demo {\n" + text + b"\n}\n")
+        for action in ("--update-lock", "--out"):
+            command = [suturec, action, *(["."] if action == "--out" else []), "--base-dir", ".", "--lock-dir", ".", name, "--",
+                       f"-I{HERE}/include", *flags]
+            done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=TIME_LIMIT)
+            if done.returncode != 0:
+                return [f"{name}: {action} gives status {done.returncode}\n{done.stdout}{done.stderr}"]
+        written = header.with_suffix("." + ending).read_text(encoding="utf-8")
+    return [] if words in written else [f"{name}: no '{words}' in\n{written}"]
+
+
 def check_fix(suturec, flags, original, record):
     """Runs --fix until nothing is left to fix: that gives the .fixed file, which suturec then takes."""
     with tempfile.TemporaryDirectory() as folder:
@@ -216,7 +239,8 @@ def runs(part, suturec, flags, record, mutants):
     if part == "usage":
         pages = sorted(p for p in PAGES.glob("*.md") if p.stem != "README")
         return ([(check_page, suturec, p) for p in pages] + [(check_usage, suturec, *usage) for usage in USAGE]
-                + [(check_diff, suturec, *diff) for diff in DIFFS])
+                + [(check_diff, suturec, *diff) for diff in DIFFS]
+                + [(check_odd_file, suturec, flags, *file) for file in ODD_FILES])
     return [(check_mutation, suturec, flags, seed) for seed in range(mutants)]
 
 

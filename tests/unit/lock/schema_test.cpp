@@ -10,6 +10,7 @@
 #include <string>
 
 #include "compiler/lock/schema/lock.h"
+#include "compiler/lock/schema/wire_type.h"
 #include "paths.h"
 #include "tests/unit/emit/sample_model.h"
 
@@ -41,7 +42,13 @@ TEST(Schema, HeadersMayHaveNamesThatCapnpRefuses) {
   constexpr char kOld[] = "robots/geometry.h", kNew[] = "my-robots.v2/3d-geometry.h";
   model::Model model = sample::robots();
   for (model::Header& header : model.headers) {
-    if (header.path == kOld) header.path = kNew;
+    if (header.path == kOld) {
+      header.path = kNew;
+      model::Type maybe;
+      maybe.shape = model::Type::Shape::Optional;
+      maybe.element = {sample::number()};
+      header.structs[0].fields.push_back(sample::field("maybe", maybe));
+    }
     std::replace(header.imports.begin(), header.imports.end(), std::string(kOld),
                  std::string(kNew));
   }
@@ -49,6 +56,16 @@ TEST(Schema, HeadersMayHaveNamesThatCapnpRefuses) {
   model::Diagnostics none;
   read(update(sample::allOwn(model), {}).files, none);
   EXPECT_TRUE(none.empty());
+}
+
+TEST(Schema, TextsMayHaveSeveralLines) {
+  constexpr char kWhy[] = "use \"b\"\nor \\n";
+  EXPECT_EQ(unquoted(quoted(kWhy)), kWhy);
+  model::Model model = sample::robots();
+  for (model::Header& header : model.headers) {
+    for (model::Struct& one : header.structs) one.lifecycle.deprecated = kWhy;
+  }
+  compile(model);
 }
 
 }  // namespace
