@@ -50,10 +50,11 @@ class Scope {
     }
   }
 
-  /// Tells if the lock has a member for which `isIt` is true.
+  /// Returns the first of the lock's members for which `isIt` is true, or null.
   template <class IsIt>
-  bool knows(const IsIt& isIt) const {
-    return std::any_of(locked_.begin(), locked_.end(), isIt);
+  const Member* find(const IsIt& isIt) const {
+    const auto found = std::find_if(locked_.begin(), locked_.end(), isIt);
+    return found == locked_.end() ? nullptr : &*found;
   }
 
   /// Leaves member `i` the name that it has, even if that clashes.
@@ -120,6 +121,35 @@ class Bases {
   Bases(model::Struct& type, const model::Lookup& lookup, const model::Header& header)
       : type_(type), lookup_(lookup), header_(header) {}
 
+  /// Calls bases as the lock does if they have changed their places: the first is called `base`,
+  /// and another one by its class, but the order of bases means nothing on the wire.
+  void rename(const Scope<model::Field>& scope) const {
+    std::set<std::string> given;
+    std::vector<model::Field*> others;
+    for (model::Field& base : type_.fields) {
+      if (!base.isBase) continue;
+      const std::string wire = typeOf(base);
+      const auto isKnown = [&](const Member& one) {
+        return one.type == wire && withoutMark(cxxNameOf(one)) == base.wireName;
+      };
+      const auto isElsewhere = [&](const Member& one) {
+        const std::string name = withoutMark(cxxNameOf(one));
+        return one.type == wire && name.starts_with(kBase) && !isMember(name);
+      };
+      const Member* const known = scope.find(isKnown) ? nullptr : scope.find(isElsewhere);
+      if (known == nullptr) {
+        others.push_back(&base);
+      } else {
+        call(base, withoutMark(cxxNameOf(*known)));
+        given.insert(base.wireName);
+      }
+    }
+    for (model::Field* const base : others) {
+      const std::string byClass = kBase + model::titleCase(model::unqualified(base->type.name));
+      if (given.contains(base->wireName)) call(*base, byClass);
+    }
+  }
+
   void settle(Scope<model::Field>& scope) const {
     for (std::size_t i = 0; i < type_.fields.size(); ++i) {
       if (!type_.fields[i].isBase) continue;
@@ -130,7 +160,7 @@ class Bases {
       };
       const std::size_t namesake = memberCalled(plain);
       const bool alike = namesake < type_.fields.size() && typeOf(type_.fields[namesake]) == wire;
-      if (alike && scope.knows(isCalled(plain)) && !scope.knows(isCalled(plain + "_"))) {
+      if (alike && scope.find(isCalled(plain)) && !scope.find(isCalled(plain + "_"))) {
         scope.leave(i);
         scope.leave(namesake);
       }
@@ -140,6 +170,24 @@ class Bases {
   }
 
  private:
+  static constexpr char kBase[] = "base";
+
+  /// Drops what tells the slot of a base from a member of the same name.
+  static std::string withoutMark(std::string name) {
+    if (name.ends_with('_')) name.pop_back();
+    return name;
+  }
+
+  bool isMember(const std::string& name) const {
+    return std::any_of(type_.fields.begin(), type_.fields.end(),
+                       [&](const model::Field& one) { return !one.isBase && one.name == name; });
+  }
+
+  void call(model::Field& base, const std::string& name) const {
+    base.wireName = name;
+    base.name = isMember(name) ? name + "_" : name;
+  }
+
   std::string typeOf(const model::Field& field) const {
     return wireType(field.type, lookup_, header_);
   }
@@ -167,7 +215,9 @@ class Bases {
 void settle(model::Struct& type, const Node* node, const model::Lookup& lookup,
             const model::Header& header) {
   Scope scope(type.fields, node);
-  Bases(type, lookup, header).settle(scope);
+  const Bases bases(type, lookup, header);
+  bases.rename(scope);
+  bases.settle(scope);
   for (std::size_t i = 0; i < type.fields.size(); ++i) {
     scope.keep(i, [&](const Member& one) { return cxxNameOf(one) == type.fields[i].name; });
   }

@@ -19,6 +19,12 @@ def based(body):
             "struct SUTURE_TYPE() {T} : {T}Base {\n%s\n};\n" % body)
 
 
+def record_of_bases(bases, **more):
+    return Side(types="struct SUTURE_TYPE() {T}Left {\n  std::int32_t id = 2;\n};\n"
+                      "struct SUTURE_TYPE() {T}Right {\n  double mass = 3;\n};\n"
+                      "struct SUTURE_TYPE() {T} : %s {\n};\n" % bases, **more)
+
+
 def commands(*listed):
     return Side(commands=listed)
 
@@ -46,6 +52,13 @@ FIELDS = [
          record("  double a = 1;\n  double b = 2;", sends={"a": "5", "b": "6"}, sees={"a": "7", "b": "8"}),
          record("  double b = 2;\n  double a = 1;", sends={"a": "7", "b": "8"}, sees={"a": "5", "b": "6"}),
          diff=NOTHING),
+    Edit("bases reordered", "the order of declarations",
+         record_of_bases("{T}Left, {T}Right", sends={"id": "5", "mass": "6"}, sees={"id": "7", "mass": "8"}),
+         record_of_bases("{T}Right, {T}Left", sends={"id": "7", "mass": "8"}, sees={"id": "5", "mass": "6"}),
+         diff=NOTHING),
+    Edit("base of a struct added in front of another", "a field or a base",
+         record_of_bases("{T}Left", sends={"id": "5"}, sees={"id": "7"}),
+         record_of_bases("{T}Right, {T}Left", sends={"id": "7", "mass": "8"}, sees={"id": "5", "mass": "3"}), build="lock-new"),
     # The peer whose default changed later still takes what the lock had first, from peers that do not send it.
     Edit("default changed", "a default",
          record("  double a = 1;", sends={"a": "5"}, sees={"a": "6"}),
