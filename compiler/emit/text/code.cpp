@@ -144,6 +144,7 @@ Code& Code::verbatim(std::string_view text) {
 Code& Code::doc(std::string_view text) {
   std::istringstream lines{std::string(text)};
   for (std::string one; std::getline(lines, one);) {
+    if (one.ends_with('\\')) one += " .";  // else the next line were part of the comment
     text_ += std::string(depth_ * kStep, ' ') + (one.empty() ? "///" : "/// " + one) + '\n';
   }
   return *this;

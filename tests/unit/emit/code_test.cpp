@@ -59,6 +59,10 @@ TEST(Code, DocumentationKeepsItsParagraphs) {
   EXPECT_EQ(code.text(), "/// One.\n///\n/// Two.\n");
 }
 
+TEST(Code, DocumentationCannotContinueOnTheNextLine) {
+  EXPECT_EQ(Code().doc("As in C:\\robot\\").text(), "/// As in C:\\robot\\ .\n");
+}
+
 TEST(CommentedLines, AlignCommentsOfNeighbours) {
   CommentedLines lines;
   lines.add("int a;", "first");
