@@ -1,7 +1,6 @@
 #include "compiler/emit/cpp/validity.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include "compiler/emit/text/contract.h"
@@ -52,19 +51,16 @@ std::string coefficientsCondition(const Type& type, const std::string& slot, con
 
 /// Returns the lowest and the highest value of an integer.
 std::pair<double, double> limitsOf(model::Scalar scalar) {
-  const auto ofBits = [](int bits) {
-    return std::pair{-std::exp2(bits - 1), std::exp2(bits - 1) - 1};
-  };
-  const auto ofUnsigned = [](int bits) { return std::pair{0.0, std::exp2(bits) - 1}; };
+  const auto ofSigned = [](double half) { return std::pair{-half, half - 1}; };
   switch (scalar) {
-    case model::Scalar::Int8: return ofBits(8);
-    case model::Scalar::Int16: return ofBits(16);
-    case model::Scalar::Int32: return ofBits(32);
-    case model::Scalar::UInt8: return ofUnsigned(8);
-    case model::Scalar::UInt16: return ofUnsigned(16);
-    case model::Scalar::UInt32: return ofUnsigned(32);
-    case model::Scalar::UInt64: return ofUnsigned(64);
-    default: return ofBits(64);
+    case model::Scalar::Int8: return ofSigned(0x1p7);
+    case model::Scalar::Int16: return ofSigned(0x1p15);
+    case model::Scalar::Int32: return ofSigned(0x1p31);
+    case model::Scalar::UInt8: return {0, 0x1p8 - 1};
+    case model::Scalar::UInt16: return {0, 0x1p16 - 1};
+    case model::Scalar::UInt32: return {0, 0x1p32 - 1};
+    case model::Scalar::UInt64: return {0, 0x1p64};
+    default: return ofSigned(0x1p63);
   }
 }
 
@@ -146,15 +142,8 @@ std::string eachCondition(const char* function, const Type& type, const std::str
 
 /// Returns the condition of a number of seconds, whose slot holds its count or nanoseconds.
 std::string durationCondition(const Type& type, const std::string& slot, const Range& range) {
-  const Range counted = countedNanoseconds(type);
-  if (!range && counted) return within(slot, counted, 1);
+  if (const Range counted = countedNanoseconds(type)) return within(slot, counted, 1);
   if (!range) return isChecked(type) ? "isValid(" + slot + ")" : "";
-  if (counted) {
-    return within(slot,
-                  std::pair{std::max(range->first * 1e9, counted->first),
-                            std::min(range->second * 1e9, counted->second)},
-                  1);
-  }
   const double counts =
       static_cast<double>(type.periodDenominator) / static_cast<double>(type.periodNumerator);
   return within(slot, range, isReal(lock::wireScalar(type)) ? counts : 1e9);

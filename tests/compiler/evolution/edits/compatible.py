@@ -236,7 +236,7 @@ def bounded(name, capacity, *calls):
 def ticks(representation, *calls):
     """A command that takes milliseconds, counted by such an integer."""
     return Side(types="using {T}Ticks = std::chrono::duration<%s, std::milli>;\n" % representation,
-                commands=(Command("void pause({T}Ticks a)", calls=calls),))
+                commands=(Command("void pause({T}Ticks a, const std::optional<{T}Ticks>& b)", calls=calls),))
 
 
 def collected(name, container, *calls):
@@ -266,8 +266,9 @@ LIMITS = [
          collected("gather", "vector", Call("{T}{{1, 3}}", heard="value={[1,3]}"), Call("{T}{{3, 1, 3}}", OUTSIDE, heard=None)),
          build="lock-range", diff=REFUSES),
     Edit("duration counted in fewer bits", LIMIT,
-         ticks("std::int64_t", Call("{T}Ticks(100)", heard="a=100"), Call("{T}Ticks(300)", OUTSIDE, heard=None)),
-         ticks("std::int8_t", Call("{T}Ticks(100)", heard="a=100")), diff=NOTHING),
+         ticks("std::int64_t", Call("{T}Ticks(100), {T}Ticks(100)", heard="a=100 b=100"),
+               Call("{T}Ticks(300), {T}Ticks(100)", OUTSIDE, heard=None), Call("{T}Ticks(100), {T}Ticks(300)", OUTSIDE, heard=None)),
+         ticks("std::int8_t", Call("{T}Ticks(100), {T}Ticks(100)", heard="a=100 b=100")), diff=NOTHING),
 ]
 
 
