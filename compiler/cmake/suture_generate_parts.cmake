@@ -155,6 +155,11 @@ function(suture_run_compiler suturec target base generated lock_dirs stems entry
   set(work ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture)
   file(RELATIVE_PATH below ${CMAKE_BINARY_DIR} ${work})
   suture_write_arguments(${work} ${target} ${base} ${generated} "${lock_dirs}" "${stems}" "${entry}")
+  # The depfile names the stamp: Ninja knows it by its path below the build folder, and Make would look for that in this directory's.
+  set(stamp ${below}.stamp)
+  if(CMAKE_GENERATOR MATCHES "Makefiles")
+    set(stamp ${work}.stamp)
+  endif()
   suture_arguments_script(arguments ${work} CXX)
   suture_arguments_script(arguments_below ${below} CXX)
   foreach(stem IN LISTS stems)
@@ -165,7 +170,7 @@ function(suture_run_compiler suturec target base generated lock_dirs stems entry
   add_custom_command(
     OUTPUT ${work}.stamp
     COMMAND ${CMAKE_COMMAND} -P ${arguments_below}
-    COMMAND ${suturec} @${below}.rsp --stamp ${below}.stamp --depfile ${below}.d
+    COMMAND ${suturec} @${below}.rsp --stamp ${stamp} --depfile ${below}.d
     DEPENDS ${suturec} ${arguments} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/write_response_file.cmake ${headers}
     DEPFILE ${work}.d
     WORKING_DIRECTORY ${CMAKE_BINARY_DIR}
