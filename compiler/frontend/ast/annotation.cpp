@@ -2,6 +2,7 @@
 
 #include <clang/AST/DeclCXX.h>
 #include <clang/AST/Expr.h>
+#include <llvm/Support/JSON.h>
 
 #include <algorithm>
 #include <array>
@@ -59,7 +60,7 @@ std::optional<std::string> textOf(const clang::APValue& value) {
   if (!literal || !value.getLValueOffset().isZero() || literal->getCharByteWidth() != 1) {
     return std::nullopt;
   }
-  return literal->getString().str();
+  return asUtf8(literal->getString());
 }
 
 /// Returns the dsl name of an argument: "max_age" for a value of type suture::dsl::MaxAge.
@@ -259,6 +260,17 @@ std::vector<std::string_view> annotationArguments() {
     }
   }
   return names;
+}
+
+std::string asUtf8(llvm::StringRef text) {
+  if (llvm::json::isUTF8(text)) return text.str();
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80) result += static_cast<char>(0xC0 | byte >> 6);
+    result += byte < 0x80 ? c : static_cast<char>(0x80 | (byte & 0x3F));
+  }
+  return result;
 }
 
 std::string macroOf(Kind kind) { return std::string(infoOf(kind).macro); }

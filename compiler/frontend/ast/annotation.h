@@ -16,6 +16,10 @@ namespace suture::compiler::frontend {
 
 enum class Kind { Type, Field, Interface, Command, Event, Component, Required, External };
 
+/// Returns the text itself if it is UTF-8, else what it says if it is Latin-1, as in old headers:
+/// schemas and JSON hold nothing but UTF-8.
+std::string asUtf8(llvm::StringRef text);
+
 /// Returns the macro's name for messages, such as "SUTURE_TYPE".
 std::string macroOf(Kind kind);
 

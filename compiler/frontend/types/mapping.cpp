@@ -27,7 +27,7 @@ model::Documentation Mapping::documentationOf(const clang::Decl* declaration) co
   const clang::RawComment* comment = context_.getRawCommentForDeclNoCache(declaration);
   if (!comment) return {};
   const std::string text = comment->getFormattedText(sources(), context_.getDiagnostics());
-  return {llvm::StringRef(text).trim().str()};
+  return {asUtf8(llvm::StringRef(text).trim())};
 }
 
 model::Diagnostic& Mapping::error(const clang::NamedDecl* declaration, std::string slug,
