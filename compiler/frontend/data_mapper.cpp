@@ -142,10 +142,12 @@ bool rejectField(const Candidate& candidate, Mapping& mapping) {
   };
   const std::string offTheWire = "keep it off the wire: SUTURE_FIELD(skip())";
   if (!field->getIdentifier() && field->getType()->isUnionType()) {
-    return reject("union", "an anonymous union carries no tag", "use std::variant");
+    return reject("union", "an anonymous union carries no tag",
+                  "use std::variant, or give it a name and SUTURE_FIELD(skip())");
   }
   if (!field->getIdentifier()) {
-    return reject("unnamed-field", "an unnamed field has no stable wire name", "name it");
+    return reject("unnamed-field", "an unnamed field has no stable wire name",
+                  "name it; what has a name may have SUTURE_FIELD(skip())");
   }
   if (field->getAccess() != clang::AS_public && !candidate.reachable) {
     return reject("private-field", subject + " is not public",
@@ -302,6 +304,7 @@ std::vector<Candidate> candidatesOf(const DataDeclaration& declared, Mapping& ma
   std::vector<Candidate> all;
   const bool reachable = hasFriend(declared.record);
   for (const clang::FieldDecl* field : declared.record->fields()) {
+    if (field->isUnnamedBitField()) continue;  // it has no value
     all.push_back({field, mapping.annotationOf(field, Kind::Field), false, reachable});
   }
   return all;

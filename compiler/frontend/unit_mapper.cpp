@@ -39,6 +39,8 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   bool VisitNamedDecl(clang::NamedDecl* declaration) {
     const std::vector<Kind> kinds = annotationKinds(declaration);
     if (!kinds.empty()) uses_.claim(declaration);
+    const auto* record = llvm::dyn_cast<clang::RecordDecl>(declaration);
+    if (record && record->isAnonymousStructOrUnion()) uses_.claimBefore(record);
     if (const auto twice = repeated(kinds)) {
       mapping_.error(declaration, "repeated-annotation",
                      "'" + declaration->getNameAsString() + "' has " + macroOf(*twice) + "() twice",

@@ -19,6 +19,9 @@ class AnnotationUses {
   /// Takes off the list what the declaration bears, because it was visited.
   void claim(const clang::Decl* declaration);
 
+  /// Takes off the list what stands in front of an anonymous struct or union: clang drops it.
+  void claimBefore(const clang::RecordDecl* anonymous);
+
   /// Returns the macros that no declaration claimed: their names, by the place of their use.
   const std::map<clang::SourceLocation, std::string>& unclaimed() const { return open_; }
 

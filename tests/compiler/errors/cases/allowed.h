@@ -20,6 +20,7 @@ struct SUTURE_TYPE() Words {
   SUTURE_FIELD(name("true")) bool yes = true;
   SUTURE_FIELD(name("angle")) double winkelÄ = 0;
   SUTURE_FIELD(skip()) std::mutex* guard = nullptr;
+  int : 5;
 };
 class SUTURE_INTERFACE() Contract {
  public:

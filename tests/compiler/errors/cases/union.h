@@ -10,5 +10,12 @@ struct SUTURE_TYPE() Holder {
     int number;
     float fraction;
   };
+  SUTURE_FIELD(skip()) union {
+    int left;
+    float right;
+  };
+  SUTURE_FIELD(skip()) struct {
+    int both;
+  };
 };
 }  // namespace demo
