@@ -125,7 +125,7 @@ def check_usage(suturec, arguments, words):
 ODD_FILES = [
     ("my-arm.v2.h", b"struct SUTURE_TYPE() Goal { std::optional<double> x; };", "capnp", "struct MyArmV2OptionalFloat64 "),
     ("lines.h", b'struct SUTURE_TYPE(deprecated("use Aim\\ninstead")) Goal { double x = 0; };', "capnp",
-     '$Meta.deprecated("use Aim\\\\ninstead")'),
+     '$Meta.deprecated("use Aim\\ninstead")'),
     ("latin.h", b"struct SUTURE_TYPE() Goal {\n  double x = 0;  ///< 20\xb0 at most\n};", "suture.json", "20\u00b0 at most"),
 ]
 
