@@ -181,6 +181,7 @@ void mapConstructor(const clang::CXXRecordDecl* declaration, model::Component& c
                     "keep one constructor that takes a SUTURE_TYPE");
     }
     component.parameters = parameters;
+    component.movesParameters = constructor->getParamDecl(0)->getType()->isRValueReferenceType();
   }
   if (!component.parameters && !byDefault) {
     mapping.error(

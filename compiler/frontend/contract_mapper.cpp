@@ -62,6 +62,11 @@ std::optional<clang::QualType> passedType(const clang::ParmVarDecl* parameter, M
                   "return the result by value, or take a const reference");
     return std::nullopt;
   }
+  if (referred->isArrayType()) {
+    mapping.error(parameter, "c-array", subject + " is a C array, which is no value",
+                  "use std::array");
+    return std::nullopt;
+  }
   return referred.getUnqualifiedType();
 }
 
@@ -84,6 +89,13 @@ std::optional<model::Parameter> mapParameter(const clang::ParmVarDecl* declarati
   auto type = mapping.typeOf(declaration, *passed,
                              "parameter '" + declaration->getNameAsString() + "'", annotation);
   if (!type) return std::nullopt;
+  const bool byReference = declaration->getType()->isReferenceType();
+  if (!byReference && !canBeCopied(*passed, mapping.names().semantics())) {
+    mapping.error(declaration, "uncopyable",
+                  "parameter '" + declaration->getNameAsString() +
+                      "' is taken by value, but its type cannot be copied",
+                  "take it by const reference");
+  }
   if (declaration->hasDefaultArg()) {
     mapping.error(declaration, "default-argument",
                   "the default argument of '" + declaration->getNameAsString() +
@@ -94,7 +106,7 @@ std::optional<model::Parameter> mapParameter(const clang::ParmVarDecl* declarati
   parameter.name = declaration->getNameAsString();
   parameter.wireName = wireMemberName(model::Named::Parameter, parameter.name, annotation.name);
   parameter.type = std::move(*type);
-  parameter.byReference = declaration->getType()->isReferenceType();
+  parameter.byReference = byReference;
   parameter.unit = annotation.unit;
   parameter.range = annotation.range;
   parameter.source = mapping.sourceOf(declaration);

@@ -179,6 +179,7 @@ struct Component {
   std::string name;  ///< fully qualified
   ComponentBase base = ComponentBase::Task;
   std::optional<std::string> parameters;  ///< fully qualified struct that the constructor takes
+  bool movesParameters = false;           ///< it takes them as an rvalue reference
   std::vector<Port> ports;
   Documentation doc;
   Source source;

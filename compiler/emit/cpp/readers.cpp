@@ -235,8 +235,9 @@ void emitClass(Code& code, const model::Component& component) {
   code.line(indent, "if (parameters.failed()) return nullptr;");
   // Do not emit make_unique(): with `new` a compiler says right here what command a component
   // lacks.
+  const char* const values = component.movesParameters ? "std::move(values)" : "values";
   const std::string made =
-      "(new " + component.name + (component.parameters ? "(values));" : "());");
+      "(new " + component.name + "(" + (component.parameters ? values : "") + "));";
   const std::vector<std::string> calls = portCalls(component);
   if (calls.empty()) {
     code.line(indent, "return std::unique_ptr<Component>", made);

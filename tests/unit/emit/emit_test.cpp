@@ -298,6 +298,12 @@ TEST_F(EmitTest, RequiredInterfacesMayBeOptional) {
                        "            return component;\n"));
 }
 
+TEST_F(EmitTest, ParametersMayBeTakenAsAnRvalue) {
+  model_.headers.back().components[0].movesParameters = true;
+  EXPECT_TRUE(contains(text("robots/simulated_arm.suture.cpp"),
+                       "(new robots::SimulatedArm(std::move(values)));"));
+}
+
 TEST_F(EmitTest, RequiredInterfacesMayLimitTheAgeOfValues) {
   model::Component& component = model_.headers.back().components[0];
   component.ports = {model::Port{.member = "slave_",

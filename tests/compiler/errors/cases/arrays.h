@@ -7,4 +7,8 @@ struct SUTURE_TYPE() Arrays {
   int four[4];
   int open[];
 };
+class SUTURE_INTERFACE() Contract {
+ public:
+  SUTURE_COMMAND() virtual void move(const double (&positions)[7]) = 0;
+};
 }  // namespace demo

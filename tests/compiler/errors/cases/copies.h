@@ -30,6 +30,7 @@ class SUTURE_INTERFACE() Contract {
  public:
   virtual ~Contract() = default;
   SUTURE_COMMAND() virtual void keep(const Held& held) = 0;
+  SUTURE_COMMAND() virtual void take(Held held) = 0;
   SUTURE_COMMAND() virtual const Held& held() const = 0;
   SUTURE_COMMAND() virtual std::array<Held, 2> both() const = 0;
   SUTURE_COMMAND() virtual const Passed& passed() const = 0;
