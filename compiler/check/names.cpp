@@ -91,7 +91,18 @@ void checkBuiltIn(model::Named kind, const std::string& subject, const std::stri
 
 void checkNamesOf(const model::Interface& interface, model::Diagnostics& findings) {
   Scope commands(false, findings), events(false, findings);
+  std::map<std::string, const model::Command*> first;
   for (const model::Command& command : interface.commands) {
+    const auto [other, isNew] = first.emplace(command.name, &command);
+    if (!isNew && command.inheritedFrom.empty() && other->second->inheritedFrom.empty()) {
+      addError(findings, command.source, "taken-name",
+               "command '" + command.name +
+                   "' has the C++ name of another command, and what is "
+                   "generated for both would be called alike",
+               "give it a name of its own; name() changes the name on the wire only")
+          .notes.push_back({other->second->source, "the other is here"});
+      continue;
+    }
     commands.add("command", command.name, command.wireName, command.source);
     const std::string subject = "command '" + command.name + "'";
     const bool reads = command.kind == model::CommandKind::Read;

@@ -203,6 +203,7 @@ model::Command mapCommand(const clang::CXXMethodDecl* method, Mapping& mapping) 
   command.deadlineNanoseconds = annotation.deadlineNanoseconds;
   command.concurrent = annotation.concurrent;
   command.direct = annotation.direct;
+  command.isOverloaded = !method->getParent()->lookup(method->getDeclName()).isSingleResult();
   command.lifecycle = {annotation.since, annotation.deprecated};
   command.was = annotation.was;
   if (rejectMethod(method, mapping)) return command;

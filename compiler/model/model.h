@@ -121,6 +121,7 @@ struct Command {
   bool optional = false;  ///< a provider may lack it
   bool concurrent = false;
   bool direct = false;
+  bool isOverloaded = false;  ///< its class has another method of its name, which is no command
   std::string inheritedFrom;  ///< the contract that declares it, fully qualified; "" = this one
   std::optional<unsigned> ordinal{};  ///< in the lock of that one, once it is looked up
   Lifecycle lifecycle;

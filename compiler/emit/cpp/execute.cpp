@@ -6,14 +6,18 @@
 namespace suture::compiler::emit {
 namespace {
 
-/// Returns "implementation.servo_cp(scratch.servo_cp_goal)".
-std::string call(const model::Command& command) {
+/// Returns "implementation.servo_cp(scratch.servo_cp_goal)". Another method of that name might suit
+/// as well, so that one which has any is called by its pointer.
+std::string call(const model::Interface& interface, const model::Command& command) {
   std::string arguments;
   for (const model::Parameter& parameter : command.parameters) {
     if (!arguments.empty()) arguments += std::string(", ") + kBreak;
-    arguments += "scratch." + scratchName(command, parameter);
+    arguments += "scratch." + scratchName(interface, command, parameter);
   }
-  return "implementation." + command.name + "(" + arguments + ")";
+  const std::string method = command.isOverloaded
+                                 ? "(implementation.*" + methodPointer(command) + ")"
+                                 : "implementation." + command.name;
+  return method + "(" + arguments + ")";
 }
 
 /// Holds what a command's function needs, in the words of its declaration or of its call.
@@ -42,17 +46,17 @@ void emitFunction(Code& code, const Context& context, const model::Interface& in
               argumentsStruct(interface, command, context), ">(arguments);");
     for (const model::Parameter& parameter : command.parameters) {
       code.line("load(slot.", parameter.name, ", ", kBreakText, "scratch.",
-                scratchName(command, parameter), ");");
+                scratchName(interface, command, parameter), ");");
     }
   }
   if (command.result) {
     const std::string answer = command.parameters.empty() ? "slot" : "answer";
     code.line("auto& ", answer, " = ", kBreakText, "newSlot<",
               slotType(*command.result, context, "suture"), ">(result);");
-    code.line("return store(", call(command), ", ", kBreakText, answer, ") ", kBreakText,
+    code.line("return store(", call(interface, command), ", ", kBreakText, answer, ") ", kBreakText,
               "? Errc{} : Errc::TooLarge;");
   } else {
-    code.line(call(command), ";").line("return Errc{};");
+    code.line(call(interface, command), ";").line("return Errc{};");
   }
   code.close("}");
 }
@@ -85,8 +89,8 @@ void emitReserved(Code& code, const Context& context, const model::Interface& in
   code.line("Scratch scratch;");
   for (const auto& [command, parameter] : arguments) {
     code.line("reserveFor<decltype(", argumentsStruct(interface, command, context),
-              "::", parameter.name, ")>(", kBreakText, "scratch.", scratchName(command, parameter),
-              ");");
+              "::", parameter.name, ")>(", kBreakText, "scratch.",
+              scratchName(interface, command, parameter), ");");
   }
   code.line("return scratch;").close("}").blank();
 }

@@ -23,7 +23,8 @@ void emitScratch(Code& code, const model::Interface& interface, bool reserves) {
   code.open("struct Scratch {");
   for (const model::Command* const command : ownCommands(interface)) {
     for (const model::Parameter& parameter : command->parameters) {
-      code.line(cxxType(parameter.type, "suture"), " ", scratchName(*command, parameter), "{};");
+      code.line(cxxType(parameter.type, "suture"), " ", scratchName(interface, *command, parameter),
+                "{};");
     }
   }
   if (reserves) code.blank().line("static Scratch reserved();");

@@ -21,7 +21,7 @@ std::string argumentsSlot(const Context& context, const model::Interface& interf
 /// Returns "ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot>".
 std::string memberType(const Context& context, const model::Interface& interface,
                        const model::Command& command) {
-  const std::string method = "&Contract::" + command.name;
+  const std::string method = methodPointer(command);
   const auto result = [&] { return slotType(*command.result, context, kHome); };
   switch (command.kind) {
     case CommandKind::Void:

@@ -190,8 +190,35 @@ std::string named(const char* name, bool used) {
   return used ? name : std::string("/*") + name + "*/";
 }
 
-std::string scratchName(const model::Command& command, const model::Parameter& parameter) {
-  return command.name + "_" + parameter.name;
+std::string scratchName(const model::Interface& interface, const model::Command& command,
+                        const model::Parameter& parameter) {
+  const std::string name = command.name + "_" + parameter.name;
+  for (const model::Command* const other : ownCommands(interface)) {
+    if (other->name == command.name) continue;
+    for (const model::Parameter& one : other->parameters) {
+      if (other->name + "_" + one.name == name) return name + "_of_" + command.name;
+    }
+  }
+  return name;
+}
+
+std::string methodPointer(const model::Command& command) {
+  const std::string plain = "&Contract::" + command.name;
+  if (!command.isOverloaded) return plain;
+  const auto spelled = [](const model::Type& type, bool byReference) {
+    const std::string text = cxxType(type, "suture");
+    return byReference ? "const " + text + "&" : text;
+  };
+  std::string parameters;
+  for (const model::Parameter& one : command.parameters) {
+    if (!parameters.empty()) parameters += std::string(", ") + kBreak;
+    parameters += spelled(one.type, one.byReference);
+  }
+  const bool isConst =
+      command.kind == model::CommandKind::Read || command.kind == model::CommandKind::QualifiedRead;
+  return "static_cast<" +
+         (command.result ? spelled(*command.result, command.resultByReference) : "void") +
+         " (Contract::*)(" + parameters + ")" + (isConst ? " const" : "") + ">(" + plain + ")";
 }
 
 }  // namespace suture::compiler::emit

@@ -79,7 +79,12 @@ std::vector<Argument> reservedArguments(const model::Interface& interface,
 /// Returns a parameter's name, in a comment where nothing uses it.
 std::string named(const char* name, bool used);
 
-/// Returns "servo_cp_goal".
-std::string scratchName(const model::Command& command, const model::Parameter& parameter);
+/// Returns "servo_cp_goal", or if another command that the contract declares has a parameter which
+/// reads so, "servo_cp_goal_of_servo_cp".
+std::string scratchName(const model::Interface& interface, const model::Command& command,
+                        const model::Parameter& parameter);
+
+/// Returns "&Contract::servo_cp", with its type if the contract has other methods of that name.
+std::string methodPointer(const model::Command& command);
 
 }  // namespace suture::compiler::emit

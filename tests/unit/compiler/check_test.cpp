@@ -40,7 +40,7 @@ TEST(Check, NamesThatMeetOnTheWire) {
   EXPECT_EQ(slugs(fields), Slugs{"wire-name-clash"});
 
   model::Header commands = header();
-  commands.interfaces[0].commands.push_back(write("move", number()));
+  commands.interfaces[0].commands.push_back(write("move_", number()));
   EXPECT_EQ(slugs(commands), Slugs{"wire-name-clash"});
 
   model::Header types = header();

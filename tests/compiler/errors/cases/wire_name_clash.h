@@ -3,8 +3,8 @@
 namespace demo {
 class SUTURE_INTERFACE() Contract {
  public:
-  SUTURE_COMMAND() virtual void move(int steps) = 0;
-  SUTURE_COMMAND() virtual void move(double metres) = 0;
+  SUTURE_COMMAND() virtual void set_gain(double gain) = 0;
+  SUTURE_COMMAND() virtual void setGain(int gain) = 0;
 };
 struct SUTURE_TYPE() Fields {
   int foo_bar = 0;

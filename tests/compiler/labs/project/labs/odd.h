@@ -1,7 +1,7 @@
 #pragma once
 // What no library above has, and a lab may: names that Cap'n Proto or suturec needs for itself,
-// names that clash there, enums at the ends of their type, deprecated and empty things, types that
-// hold each other.
+// names that clash there or are macros, enums at the ends of their type, deprecated and empty
+// things, types that hold each other, helpers that share the name of a command.
 
 #include <suture/annotate.h>
 
@@ -148,6 +148,33 @@ class SUTURE_INTERFACE() Client {
   SUTURE_COMMAND() virtual Motor::Mode mode() const = 0;
   SUTURE_COMMAND() virtual void keep(const Old& old, Highest value, std::int32_t slot) = 0;
   SUTURE_EVENT() suture::EventOf<Bool> state;
+};
+
+#define OK 0
+#define ERROR (-1)
+/** Is as of a vendor's SDK, C:\sdk\status\ */
+enum class SUTURE_TYPE() Status { Ok, Error, Stopped };
+
+/// Has helpers with the names of its commands, and a parameter whose name reads like another's.
+class SUTURE_INTERFACE() Stage {
+ public:
+  virtual ~Stage() = default;
+  SUTURE_COMMAND() virtual void move(const Text& goal) = 0;
+  void move(std::int32_t letters) { move(Text{letters}); }
+  SUTURE_COMMAND() virtual double gain() const = 0;
+  double& gain() {
+    static double own = 0;
+    return own;
+  }
+  SUTURE_COMMAND() virtual const Data& find(const Text& key, double depth) const = 0;
+  const Data& find(const Text& key) const { return find(key, 1); }
+  SUTURE_COMMAND() virtual Status turn(double angle) = 0;
+  template <class Unit>
+  Status turn(Unit angle) {
+    return turn(angle.value());
+  }
+  SUTURE_COMMAND() virtual void set_gain(double value) = 0;
+  SUTURE_COMMAND() virtual void set(double gain_value) = 0;
 };
 
 }  // namespace odd
