@@ -35,7 +35,7 @@ model::Diagnostics check(const model::Model& model) {
   model::Diagnostics findings;
   for (const model::Header& complete : model.headers) {
     if (!complete.own) continue;
-    checkNames(complete, findings);
+    checkNames(complete, model, findings);
     checkContractSizes(complete, findings);
     const model::Header header = declaredIn(complete);
     checkEnums(header, findings);

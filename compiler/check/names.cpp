@@ -68,11 +68,27 @@ void checkReserved(model::Named kind, const std::string& name, const std::string
                wireName + (interface ? "Interface" : "Type") + "\")); the C++ name stays");
 }
 
-void checkEnumerators(const model::Enum& type, model::Diagnostics& findings) {
+/// Holds the macros of the model.
+using Macros = std::map<std::string, model::MacroOrigin>;
+
+/// Tells if the enumerator of capnp's C++ would be replaced within the very file that capnp writes.
+/// Generated code copes with macros of the headers that it includes behind that.
+bool isGivenMacro(const std::string& constant, const Macros& macros) {
+  const auto found = macros.find(constant);
+  return found != macros.end() && found->second == model::MacroOrigin::CommandLine;
+}
+
+void checkEnumerators(const model::Enum& type, const Macros& macros, model::Diagnostics& findings) {
   Scope scope(false, findings);
   for (const model::Enumerator& enumerator : type.enumerators) {
     scope.add("enumerator", enumerator.name, enumerator.wireName, enumerator.source);
     const std::string constant = model::upperSnakeCase(enumerator.wireName);
+    if (isGivenMacro(constant, macros)) {
+      addError(findings, enumerator.source, "macro-name",
+               "enumerator '" + enumerator.name + "' becomes " + constant +
+                   " in capnp's C++, which the command line defines as a macro",
+               "choose another with name(\"...\"), or call the macro otherwise");
+    }
     if (!model::isReserved(model::Named::Enumerator, enumerator.wireName)) continue;
     addError(findings, enumerator.source, "macro-name",
              "enumerator '" + enumerator.name + "' would become " + constant +
@@ -124,12 +140,13 @@ void checkNamesOf(const model::Interface& interface, model::Diagnostics& finding
 
 }  // namespace
 
-void checkNames(const model::Header& header, model::Diagnostics& findings) {
+void checkNames(const model::Header& header, const model::Model& model,
+                model::Diagnostics& findings) {
   Scope types(true, findings);
   for (const model::Enum& type : header.enums) {
     types.add("type", type.name, type.wireName, type.source);
     checkReserved(model::Named::Type, type.name, type.wireName, type.source, findings);
-    checkEnumerators(type, findings);
+    checkEnumerators(type, model.macros, findings);
   }
   for (const model::Struct& type : header.structs) {
     types.add("type", type.name, type.wireName, type.source);

@@ -9,7 +9,8 @@ namespace suture::compiler::check {
 
 /// Checks that wire names are legal for capnp, free of what its C++ reserves, and distinct where
 /// they meet.
-void checkNames(const model::Header& header, model::Diagnostics& findings);
+void checkNames(const model::Header& header, const model::Model& model,
+                model::Diagnostics& findings);
 
 /// Checks that enums are neither empty nor larger than the wire's 16 bits, that their values are
 /// distinct, and that one at most is the fallback.

@@ -1,6 +1,7 @@
 #include "compiler/frontend/unit_mapper.h"
 
 #include <clang/AST/RecursiveASTVisitor.h>
+#include <clang/Lex/Preprocessor.h>
 
 #include <algorithm>
 #include <functional>
@@ -313,6 +314,20 @@ void reportUnseen(const AnnotationUses& uses, Mapping& mapping) {
   }
 }
 
+std::map<std::string, model::MacroOrigin> macrosOf(const clang::Preprocessor& preprocessor) {
+  std::map<std::string, model::MacroOrigin> macros;
+  const clang::SourceManager& sources = preprocessor.getSourceManager();
+  for (const auto& [name, state] : preprocessor.macros()) {
+    const clang::MacroInfo* const macro = preprocessor.getMacroInfo(name);
+    if (macro == nullptr || !macro->isObjectLike()) continue;
+    const clang::SourceLocation place = macro->getDefinitionLoc();
+    const bool given = sources.isWrittenInCommandLineFile(place);
+    macros.emplace(name->getName(),
+                   given ? model::MacroOrigin::CommandLine : model::MacroOrigin::Header);
+  }
+  return macros;
+}
+
 }  // namespace
 
 model::Model mapUnit(clang::Sema& semantics, const Includes& includes, HeaderTable& headers,
@@ -323,7 +338,7 @@ model::Model mapUnit(clang::Sema& semantics, const Includes& includes, HeaderTab
   visitor.TraverseDecl(semantics.getASTContext().getTranslationUnitDecl());
   visitor.finish();
   reportUnseen(uses, mapping);
-  model::Model result{headers.take()};
+  model::Model result{headers.take(), macrosOf(semantics.getPreprocessor())};
   addInherited(result);
   addImports(result);
   return result;

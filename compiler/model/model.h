@@ -3,6 +3,7 @@
 // clang's tree, check/ and lock/ judge it, emit/ writes it out. Nothing here knows clang.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -201,8 +202,13 @@ struct Header {
   std::vector<Component> components;
 };
 
+/// Says where a macro is defined.
+enum class MacroOrigin { Header, CommandLine };
+
 struct Model {
   std::vector<Header> headers;  ///< own and foreign, sorted by path
+  /// Has the macros without parameters that are left behind the last header, by their names.
+  std::map<std::string, MacroOrigin> macros{};
 };
 
 }  // namespace suture::compiler::model

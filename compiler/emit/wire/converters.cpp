@@ -30,6 +30,21 @@ std::vector<std::string> removedEnumerators(const Context& context, const model:
   return names;
 }
 
+/// Spells an enumerator as capnp's C++ does, or as its number where the user's headers have a macro
+/// of that name.
+std::string wireConstant(const Context& context, const model::Enum& type,
+                         const std::string& wireName) {
+  const std::string wire = "wire::" + type.wireName, constant = model::upperSnakeCase(wireName);
+  if (!context.model.macros.contains(constant)) return wire + "::" + constant;
+  const auto hasName = [](const std::string& name) {
+    return [&name](const auto& one) { return one.name == name; };
+  };
+  const auto& nodes = context.schemas.at(lock::lockPath(context.header.path)).nodes;
+  const auto node = std::find_if(nodes.begin(), nodes.end(), hasName(type.wireName));
+  const auto member = std::find_if(node->members.begin(), node->members.end(), hasName(wireName));
+  return "static_cast<" + wire + ">(" + std::to_string(member->ordinal) + ")";
+}
+
 void emitEnumEncoder(Code& code, const Context& context, const model::Enum& type) {
   const EnumNames names(type, context.header.cxxNamespace);
   code.open(names.wire, " ", enumEncoder(type.name, context), "(", names.slot, " slot) {");
@@ -37,8 +52,8 @@ void emitEnumEncoder(Code& code, const Context& context, const model::Enum& type
   std::set<std::int64_t> values;
   for (const model::Enumerator& one : type.enumerators) {
     if (!values.insert(one.value).second) continue;  // a second name of the same value
-    code.line("case ", names.label(one), ": return ", names.wire,
-              "::", model::upperSnakeCase(one.wireName), ";");
+    code.line("case ", names.label(one), ": return ", wireConstant(context, type, one.wireName),
+              ";");
   }
   code.close("}").line("return ", names.wire, "{};").close("}").blank();
 }
@@ -48,12 +63,11 @@ void emitEnumDecoder(Code& code, const Context& context, const model::Enum& type
   code.open("suture::Errc fromWire(", names.wire, " in, ", names.slot, "& slot) {");
   code.open("switch (in) {");
   for (const model::Enumerator& one : type.enumerators) {
-    code.line("case ", names.wire, "::", model::upperSnakeCase(one.wireName),
-              ": return slot = ", kBreakText, "static_cast<", names.slot, ">(", names.cxx,
-              "::", one.name, "), suture::Errc{};");
+    code.line("case ", wireConstant(context, type, one.wireName), ": return slot = ", kBreakText,
+              "static_cast<", names.slot, ">(", names.cxx, "::", one.name, "), suture::Errc{};");
   }
   for (const std::string& removed : removedEnumerators(context, type)) {
-    code.line("case ", names.wire, "::", model::upperSnakeCase(removed), ": break;");
+    code.line("case ", wireConstant(context, type, removed), ": break;");
   }
   code.close("}");
   const auto fallback = std::find_if(type.enumerators.begin(), type.enumerators.end(),

@@ -85,6 +85,16 @@ TEST(Check, EnumeratorsThatBecomeMacros) {
   EXPECT_EQ(slugs(bad), Slugs{"macro-name"});
 }
 
+TEST(Check, EnumeratorsThatTheCommandLineHasAsMacros) {
+  model::Model model{{header()}};
+  model.headers[0].enums.push_back(enumOf({{"debug", 0}, {"ok", 1}}));
+  model.macros = {{"DEBUG", model::MacroOrigin::CommandLine}, {"OK", model::MacroOrigin::Header}};
+  const model::Diagnostics findings = check(model);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].slug, "macro-name");
+  EXPECT_NE(findings[0].message.find("'debug' becomes DEBUG"), std::string::npos);
+}
+
 TEST(Check, Enums) {
   model::Header bad = header();
   bad.enums = {enumOf({})};
