@@ -50,6 +50,7 @@ model::Diagnostics check(const model::Model& model) {
     checkReads(header, lookup, findings);
     checkBounds(header, lookup, findings);
   }
+  checkGeneratedNames(model, lookup, findings);
   return findings;
 }
 

@@ -12,6 +12,10 @@ namespace suture::compiler::check {
 void checkNames(const model::Header& header, const model::Model& model,
                 model::Diagnostics& findings);
 
+/// Checks that no two commands or events give generated code one name.
+void checkGeneratedNames(const model::Model& model, const model::Lookup& lookup,
+                         model::Diagnostics& findings);
+
 /// Checks that enums are neither empty nor larger than the wire's 16 bits, that their values are
 /// distinct, and that one at most is the fallback.
 void checkEnums(const model::Header& header, model::Diagnostics& findings);

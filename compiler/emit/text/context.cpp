@@ -21,14 +21,6 @@ std::string relative(const std::string& name, const std::string& inNamespace) {
   return !inNamespace.empty() && name.starts_with(prefix) ? name.substr(prefix.size()) : name;
 }
 
-std::string generatedName(const std::string& declared, const model::Lookup& lookup) {
-  const model::Header* const header = lookup.headerOf(declared);
-  const std::string home = header == nullptr ? "" : header->cxxNamespace;
-  std::string flat = relative(declared, home);
-  for (std::size_t at; (at = flat.find("::")) != std::string::npos;) flat.erase(at, 2);
-  return (home.empty() ? "" : home + "::") + flat;
-}
-
 std::string slotStruct(const std::string& structName, const model::Lookup& lookup) {
   return generatedName(structName, lookup) + "Slot";
 }
@@ -211,10 +203,6 @@ bool holdsRecursive(const model::Type& type, const model::Lookup& lookup) {
   return isRecursive(*lookup.findStruct(type.element[0].name), lookup);
 }
 
-std::string pascalCase(const std::string& cxxName) {
-  return model::titleCase(model::camelCase(cxxName));
-}
-
 std::string qualifier(const std::string& declared, const Context& context) {
   const model::Header* const header = context.lookup.headerOf(declared);
   const bool here = header == nullptr || header->cxxNamespace == context.header.cxxNamespace;
@@ -225,27 +213,15 @@ std::string prefixOf(const model::Interface& interface, const Context& context) 
   return model::unqualified(generatedName(interface.name, context.lookup));
 }
 
-namespace {
-
-/// Returns "robots::ArmServoCp" + `ending`, of the contract that declares the member.
-template <class Member>
-std::string memberStruct(const model::Interface& interface, const Member& member,
-                         const char* ending, const Context& context) {
-  const std::string& owner = member.inheritedFrom.empty() ? interface.name : member.inheritedFrom;
-  return generatedName(owner, context.lookup) + pascalCase(member.name) + ending;
-}
-
-}  // namespace
-
 std::string argumentsStruct(const model::Interface& interface, const model::Command& command,
                             const Context& context) {
-  return memberStruct(interface, command, "Arguments", context);
+  return model::argumentsStruct(interface, command, context.lookup);
 }
 
 std::string payloadSlot(const model::Interface& interface, const model::Event& event,
                         const Context& context, const std::string& inNamespace) {
   if (event.payload.size() == 1) return slotType(event.payload[0], context, inNamespace);
-  return relative(memberStruct(interface, event, "Payload", context), inNamespace);
+  return relative(model::payloadStruct(interface, event, context.lookup), inNamespace);
 }
 
 std::string openNamespace(const std::string& name) {

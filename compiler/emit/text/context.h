@@ -7,10 +7,14 @@
 #include <vector>
 
 #include "compiler/lock/schema/lock.h"
+#include "compiler/model/generated_names.h"
 #include "compiler/model/lookup.h"
 #include "compiler/model/model.h"
 
 namespace suture::compiler::emit {
+
+using model::generatedName;
+using model::pascalCase;
 
 struct Context {
   const model::Model& model;
@@ -25,10 +29,6 @@ struct Context {
 
 /// Turns "robots::arm::Pose" into "Pose" within namespace "robots::arm"; elsewhere it is unchanged.
 std::string relative(const std::string& name, const std::string& inNamespace);
-
-/// Returns how the names of all that is generated for a declaration begin, in its header's
-/// namespace: "robots::ArmState" for "robots::Arm::State", "robots::msgsPose" for "msgs::Pose".
-std::string generatedName(const std::string& declared, const model::Lookup& lookup);
 
 /// Names the slot struct of a SUTURE_TYPE, qualified: "robots::PoseStampedSlot".
 std::string slotStruct(const std::string& structName, const model::Lookup& lookup);
@@ -66,9 +66,6 @@ bool isBounded(const model::Type& type, const model::Lookup& lookup);
 bool isRecursive(const model::Struct& declaration, const model::Lookup& lookup);
 /// Tells if it is an optional value of such a type.
 bool holdsRecursive(const model::Type& type, const model::Lookup& lookup);
-
-/// Turns "servo_cp" into "ServoCp": a part of the name of something generated.
-std::string pascalCase(const std::string& cxxName);
 
 /// Returns "robots::types::", which stands in front of a function for a type of another namespace
 /// than the header's.

@@ -1,0 +1,69 @@
+#include <map>
+#include <set>
+#include <string>
+
+#include "compiler/check/rules.h"
+#include "compiler/model/generated_names.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::check {
+namespace {
+
+/// Holds the structs that generated code declares for commands and events, each once.
+class Structs {
+ public:
+  explicit Structs(model::Diagnostics& findings) : findings_(findings) {}
+
+  void add(const std::string& name, const std::string& subject, const model::Source& source,
+           bool isOwn) {
+    const auto [first, isNew] = taken_.emplace(name, Entry{subject, source});
+    if (isNew || !isOwn) return;
+    addError(findings_, source, "generated-name",
+             "the code generated for " + subject + " and that for " + first->second.subject +
+                 " both declare '" + name + "'",
+             "choose another C++ name for one of them")
+        .notes.push_back({first->second.source, "the other is here"});
+  }
+
+ private:
+  struct Entry {
+    std::string subject;
+    model::Source source;
+  };
+
+  model::Diagnostics& findings_;
+  std::map<std::string, Entry> taken_;
+};
+
+void addOf(const model::Interface& interface, const model::Lookup& lookup, bool isOwn,
+           Structs& structs) {
+  const std::string of = "' of contract '" + model::unqualified(interface.name) + "'";
+  std::set<std::string> names, commands, events;  // what clashes there is refused already
+  for (const model::Command& command : interface.commands) {
+    if (!command.inheritedFrom.empty() || command.parameters.empty()) continue;
+    if (!names.insert(command.name).second || !commands.insert(command.wireName).second) continue;
+    structs.add(model::argumentsStruct(interface, command, lookup), "command '" + command.name + of,
+                command.source, isOwn);
+  }
+  for (const model::Event& event : interface.events) {
+    if (!event.inheritedFrom.empty() || event.payload.size() < 2) continue;
+    if (!events.insert(event.wireName).second) continue;
+    structs.add(model::payloadStruct(interface, event, lookup), "event '" + event.name + of,
+                event.source, isOwn);
+  }
+}
+
+}  // namespace
+
+void checkGeneratedNames(const model::Model& model, const model::Lookup& lookup,
+                         model::Diagnostics& findings) {
+  Structs structs(findings);
+  for (const bool own : {false, true}) {
+    for (const model::Header& header : model.headers) {
+      if (header.own != own) continue;
+      for (const model::Interface& one : header.interfaces) addOf(one, lookup, own, structs);
+    }
+  }
+}
+
+}  // namespace suture::compiler::check
