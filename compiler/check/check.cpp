@@ -38,6 +38,7 @@ model::Diagnostics check(const model::Model& model) {
     checkNames(complete, model, findings);
     checkContractSizes(complete, findings);
     const model::Header header = declaredIn(complete);
+    checkHiddenNames(header, findings);
     checkEnums(header, findings);
     checkExchanges(header, findings);
     checkNumbers(header, findings);

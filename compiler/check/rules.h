@@ -12,6 +12,10 @@ namespace suture::compiler::check {
 void checkNames(const model::Header& header, const model::Model& model,
                 model::Diagnostics& findings);
 
+/// Checks that generated code can reach the types that a header names, and the runtime: it names
+/// them from their outermost namespace on.
+void checkHiddenNames(const model::Header& header, model::Diagnostics& findings);
+
 /// Checks that no two commands or events give generated code one name.
 void checkGeneratedNames(const model::Model& model, const model::Lookup& lookup,
                          model::Diagnostics& findings);

@@ -48,6 +48,23 @@ TEST(Check, NamesThatMeetOnTheWire) {
   EXPECT_EQ(slugs(types), Slugs{"wire-name-clash"});
 }
 
+TEST(Check, NamespacesMustNotHideWhatIsNamed) {
+  model::Header inner = header();
+  inner.interfaces.clear();
+  inner.components.clear();
+  inner.structs[0].name = "lab::demo::Sample";
+  inner.cxxNamespace = "lab::demo";
+  EXPECT_EQ(slugs(inner), Slugs{});
+  inner.structs[0].fields[0].type.spelling = "std::array<demo::Angle, 2>";
+  EXPECT_EQ(slugs(inner), Slugs{"hidden-namespace"});
+  inner.structs[0].fields[0].type.spelling = "lab::demo::Angle";
+  EXPECT_EQ(slugs(inner), Slugs{});
+  inner.cxxNamespace = "lab::suture::arm";
+  EXPECT_EQ(slugs(inner), Slugs{"hidden-namespace"});
+  inner.cxxNamespace = "rpc::arm";
+  EXPECT_EQ(slugs(inner), Slugs{"hidden-namespace"});
+}
+
 TEST(Check, CommandsAndEventsHaveSeparateNames) {
   model::Header both = header();
   both.interfaces[0].events.push_back(event("move", number()));
