@@ -54,7 +54,7 @@ class Robot {
   /// Moves the first joint there, and tells how far it came.
   double move(double by) {
     const double before = drives_.feedback().position[0];
-    const auto& present = arm_.setpoint_js().position;
+    const auto& present = arm_.motion().setpoint_js().position;
     JointGoal there{{present.begin(), present.end()}, suture::now()};
     there.position[0] += by;
     EXPECT_TRUE(panel.arm.move_jp(there));
