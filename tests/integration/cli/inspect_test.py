@@ -146,9 +146,8 @@ class Inspect(System):
         self.start_robot()
         done = self.run_suture("why", "robot:Surgeon/Names", GRIPPER)
         self.assertEqual((done.returncode, done.stderr), (1, ""))
-        self.assertIn("they do not connect\n  requires robots::Names, is offered robots::Gripper\n", done.stdout)
-        self.assertIn("\n    commands.range.kind: 'read' here, missing there\n", done.stdout)
-        self.assertIn("Connect interfaces of the same contract.\n", done.stdout)
+        self.assertTrue(done.stdout.endswith("they do not connect\n  requires robots::Names, is offered robots::Gripper\n"
+                                             "Connect interfaces of the same contract.\n"), done.stdout)
 
     def test_why_field_by_field(self):
         self.start_robot()
