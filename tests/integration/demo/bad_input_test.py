@@ -155,12 +155,6 @@ class Demo(unittest.TestCase):
         self.assertIn("the topology's file leaves it out, or gives it another type. State it there",
                       self.error_of(without_parameters))
 
-    def test_a_process_that_the_topology_does_not_have(self):
-        process = subprocess.run([PROGRAMS / "suture-demo", "--break", "vision@4s"], capture_output=True, text=True, timeout=60)
-        self.assertEqual(process.returncode, 1)
-        self.assertIn("--break vision@4s: topology 'fig3c' has processes 'left' and 'right'. Name one of them, or choose by "
-                      "--topology one that has 'vision'", process.stderr)
-
     def test_a_file_that_is_not_there(self):
         process = subprocess.run([PROGRAMS / "suture-demo", "--topology", "lab.json"], capture_output=True, text=True, timeout=60)
         self.assertEqual(process.returncode, 1)

@@ -78,7 +78,8 @@ class Workstations(Broken):
         self.assertEqual(held, set())
 
     def test_what_cannot_be_broken(self):
-        for text, why in (("kitchen@1s", "no process 'kitchen' here; there are 'left' and 'right'"),
+        for text, why in (("kitchen@1s", "--break kitchen@1s: topology 'fig3c' has processes 'left' and 'right'. Name one of them, or "
+                                        "choose by --topology one that has 'kitchen'"),
                           ("right", "--break right: that names no process and moment. Write for example vision@4s"),
                           ("right@1.2.3", "--break right@1.2.3: that names no process and moment"),
                           ("right@.", "--break right@.: that names no process and moment"),
