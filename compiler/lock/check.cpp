@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "compiler/lock/differences.h"
@@ -12,7 +11,9 @@
 #include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
 #include "compiler/lock/schema/writer.h"
+#include "compiler/lock/unlocked_headers.h"
 #include "compiler/lock/verdicts.h"
+#include "compiler/lock/wire_names.h"
 
 namespace suture::compiler::lock {
 namespace {
@@ -61,135 +62,6 @@ Verdicts verdictsOf(const Judged& judged, const Lock& merged, const Options& opt
                   options);
 }
 
-/// Holds the wire names of all headers, by the C++ namespace in which capnp will declare them.
-class WireNames {
- public:
-  WireNames(const model::Model& model, const model::Lookup& lookup) {
-    for (const bool own : {false, true}) {  // a clash with a foreign header is reported at ours
-      for (const model::Header& header : model.headers) {
-        if (header.own == own) add(header, lookup);
-      }
-    }
-  }
-
-  /// Reports the nodes of `header` that have the name of another node.
-  Diagnostics clashes(const model::Header& header, const std::vector<WantedNode>& nodes) const {
-    Diagnostics result;
-    for (const WantedNode& node : nodes) {
-      const auto& [path, owner] = owners_.at(header.cxxNamespace + "::" + node.node.name);
-      if (path == header.path && identity(owner.node) == identity(node.node)) continue;
-      if (identity(owner.node) == identity(node.node)) {
-        result.push_back(sameComposite(node, path));
-        continue;
-      }
-      result.push_back(
-          {node.source,
-           "wire-name-clash",
-           node.title + " has the wire name '" + node.node.name + "' as " + owner.title + " has",
-           "give one of them another: name(\"...\")",
-           {{owner.source, owner.title + " is declared here"}}});
-    }
-    return result;
-  }
-
-  /// Reports nodes that have the name of a removed one: it keeps its name in the schema, so no
-  /// header of the namespace may give it again.
-  Diagnostics clashesWithRemoved(const Judged& judged, const Lock& merged) const {
-    Diagnostics result;
-    const model::Header& header = judged.header;
-    for (const Node& node : merged.nodes) {
-      const auto taken = owners_.find(header.cxxNamespace + "::" + node.name);
-      if (!node.removed() || taken == owners_.end()) continue;
-      const WantedNode& owner = taken->second.node;
-      result.push_back({owner.source,
-                        "wire-name-clash",
-                        owner.title + " has the wire name of a removed " + node.name,
-                        adviceOnRemoved(node, owner, judged.old),
-                        {}});
-    }
-    return result;
-  }
-
- private:
-  struct Owner {
-    std::string path;
-    WantedNode node;
-  };
-
-  /// Says was() if it would match the two, which it does with what this edit removes.
-  static std::string adviceOnRemoved(const Node& removed, const WantedNode& taker,
-                                     const Lock& old) {
-    const auto name = removed.annotations.find("cxx");
-    const bool fits =
-        !taker.was && removed.kind == taker.node.kind && name != removed.annotations.end() &&
-        std::any_of(old.nodes.begin(), old.nodes.end(),
-                    [&](const Node& node) { return node.id == removed.id && !node.removed(); });
-    const std::string other = "give it another: name(\"...\")";
-    return fits ? "if it is the same under another name in C++, say was(" + name->second +
-                      "); else " + other
-                : other;
-  }
-
-  void add(const model::Header& header, const model::Lookup& lookup) {
-    for (WantedNode& node : wanted(header, lookup)) {
-      const std::string name = header.cxxNamespace + "::" + node.node.name;
-      owners_.emplace(name, Owner{header.path, std::move(node)});
-    }
-  }
-
-  /// Reports a composite that the locks of two headers give the same name.
-  static model::Diagnostic sameComposite(const WantedNode& node, const std::string& other) {
-    return {node.source,
-            "wire-name-clash",
-            node.title + " has the wire name '" + node.node.name + "' here and in " + other,
-            "rename one of the two headers: such names begin with its path",
-            {{{0, other, 0}, "this header has it too"}}};
-  }
-
-  std::map<std::string, Owner> owners_;
-};
-
-Diagnostics clashesOfComposites(const model::Header& header, const model::Lookup& lookup) {
-  Diagnostics result;
-  for (const auto& [first, second] : compositeClashes(header, lookup)) {
-    result.push_back(
-        {second.source,
-         "wire-name-clash",
-         second.title + " has the wire name '" + second.node.name + "' as " + first.title + " has",
-         "make one of them a struct, which has a name of its own",
-         {{first.source, "the first is here"}}});
-  }
-  return result;
-}
-
-/// Reports members that have the name of what suturec adds to every contract (subscribe, state,
-/// stamp, evaluated, sent).
-Diagnostics clashesWithOwn(const std::vector<WantedNode>& wanted) {
-  Diagnostics result;
-  const auto report = [&result](const WantedMember& member, const std::string& name) {
-    result.push_back({member.source,
-                      "wire-name-clash",
-                      member.title + ": '" + name + "' is what suturec itself calls something here",
-                      "give it another name on the wire: name(\"...\")",
-                      {}});
-  };
-  for (const WantedNode& node : wanted) {
-    const auto isOwn = [&](const WantedMember& one) { return one.title == node.title; };
-    std::set<std::string_view> own;
-    for (const WantedMember& member : node.members) {
-      if (isOwn(member)) own.insert(member.member.name);
-    }
-    for (const WantedMember& member : node.members) {
-      if (!isOwn(member) && own.contains(member.member.name)) report(member, member.member.name);
-      const auto& parameters = member.member.parameters;
-      const auto sents = std::count_if(parameters.begin(), parameters.end(),
-                                       [](const Member& one) { return one.name == "sent"; });
-      if (sents > 1) report(member, "sent");
-    }
-  }
-  return result;
-}
-
 std::string withoutComments(const std::string& text) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
@@ -210,62 +82,6 @@ model::Diagnostic missing(const Judged& judged, const Options& options) {
           "run: " + options.command + ", and commit the file that it writes",
           {}};
 }
-
-/// Finds headers of other targets that ours use and whose locks the run has not read: the places of
-/// what they declare would follow the order of their declarations, which may change.
-class UnlockedHeaders {
- public:
-  UnlockedHeaders(const model::Model& model, const model::Lookup& lookup, const Locks& locks)
-      : lookup_(lookup), locks_(locks) {
-    for (const model::Header& header : model.headers) headers_[lockPath(header.path)] = &header;
-  }
-
-  /// Reports each at what first leads to it.
-  Diagnostics usedBy(const Judged& judged) {
-    for (const WantedNode& node : judged.wanted) {
-      for (const std::string& base : node.node.extends) visit(base, judged.old.path, node.source);
-      for (const WantedMember& member : node.members) {
-        visit(member.member, judged.old.path, member.source);
-      }
-    }
-    return std::exchange(found_, {});
-  }
-
- private:
-  void visit(const Member& member, const std::string& inside, const model::Source& source) {
-    visit(member.type, inside, source);
-    for (const Member& parameter : member.parameters) visit(parameter, inside, source);
-    for (const Member& result : member.results) visit(result, inside, source);
-  }
-
-  void visit(const std::string& type, const std::string& inside, const model::Source& source) {
-    const std::string path = placeOf(type, inside).path;
-    const auto home = headers_.find(path);
-    if (path == inside || home == headers_.end() || home->second->own) return;
-    if (!seen_.insert(path).second) return;
-    if (!locks_.files.contains(path)) return report(*home->second, path, source);
-    for (const WantedNode& node : wanted(*home->second, lookup_)) {
-      for (const std::string& base : node.node.extends) visit(base, path, source);
-      for (const WantedMember& member : node.members) visit(member.member, path, source);
-    }
-  }
-
-  void report(const model::Header& header, const std::string& path, const model::Source& source) {
-    found_.push_back({source,
-                      "lock-missing",
-                      header.path + " of another target has no lock: no lock folder has " + path +
-                          ", and it does not lie beside the header",
-                      "give the lock folder of its project: LOCK_PATH of suture_generate(), or "
-                      "--lock-dir; if there is no lock yet, let that project write it",
-                      {}});
-  }
-
-  const model::Lookup& lookup_;
-  const Locks& locks_;
-  std::map<std::string, const model::Header*> headers_;
-  std::set<std::string> seen_;
-  Diagnostics found_;
-};
 
 model::Diagnostic stale(const Judged& judged, const Options& options) {
   return {
@@ -368,12 +184,12 @@ Diagnostics check(const model::Model& model, const Locks& committed, const Optio
     append(all, names.clashes(judged.header, judged.wanted));
     append(all, clashesOfComposites(judged.header, lookup));
     append(all, clashesWithOwn(judged.wanted));
-    append(all, names.clashesWithRemoved(judged, merged));
+    append(all, names.clashesWithRemoved(judged.header, judged.old, merged));
     if (judged.old.text.empty()) {
       all.push_back(missing(judged, options));
       return;
     }
-    append(all, unlocked.usedBy(judged));
+    append(all, unlocked.usedBy(judged.wanted, judged.old.path));
     Verdicts found = verdictsOf(judged, merged, options);
     const bool errors = !found.breaks.empty() || !found.pending.empty();
     const bool told = errors || !found.stale.empty();
@@ -404,7 +220,7 @@ Update update(const model::Model& model, const Locks& committed, const Options& 
     append(result.diagnostics, names.clashes(judged.header, judged.wanted));
     append(result.diagnostics, clashesOfComposites(judged.header, lookup));
     append(result.diagnostics, clashesWithOwn(judged.wanted));
-    append(result.diagnostics, names.clashesWithRemoved(judged, lock));
+    append(result.diagnostics, names.clashesWithRemoved(judged.header, judged.old, lock));
     Verdicts found = verdictsOf(judged, lock, options);
     if (!options.acceptBreaks) append(result.diagnostics, std::move(found.breaks));
     const std::string path = judged.old.path;

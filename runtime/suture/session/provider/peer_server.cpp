@@ -27,9 +27,6 @@ using Type = kj::Exception::Type;
 constexpr std::size_t kMostConnections = 1024;
 constexpr std::size_t kMostAwaitedSockets = 16;
 
-// What a client says of itself is kept as long as its connections, and in their sums for longer.
-constexpr std::size_t kLongestName = 256;
-
 // Bounds what a client may say, so that sums with it do not overflow.
 Duration silenceIn(wire::ConnectRequest::Reader request) {
   constexpr Duration kLongest = std::chrono::hours(24 * 365);
@@ -51,6 +48,7 @@ class ConnectionServer final : public wire::Connection::Server {
 PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
     : host_(host),
       caller_(std::move(caller)),
+      admission_(host.directory_.process(), host.policy_, caller_->identity),
       interfaces_(kMostConnections),
       leases_(host.control_, state_) {}
 
@@ -68,16 +66,9 @@ kj::Promise<void> PeerServer::hello(HelloContext context) {
   results.setBootId(textOf(bootId()));
   results.setIncarnation(host_.incarnation_);
   const auto in = context.getParams();
-  const std::uint16_t theirs = in.getVersion();
-  auto refusal = whyNotNames({in.getProcess(), in.getBootId()});
-  if (!refusal) refusal = whyNotProcess(stringOf(in.getProcess()));
-  if (!refusal && theirs != wire::PROTOCOL_VERSION) {
-    refusal = Refusal{Kind::VERSION_MISMATCH,
-                      "talk to process '" + host_.directory_.process() + "': it speaks version " +
-                          std::to_string(wire::PROTOCOL_VERSION) +
-                          " of the protocol, the caller version " + std::to_string(theirs) +
-                          ". Build both from the same release."};
-  }
+  auto refusal = admission_.whyNotNames({in.getProcess(), in.getBootId()});
+  if (!refusal) refusal = admission_.whyNotProcess(stringOf(in.getProcess()));
+  if (!refusal) refusal = admission_.whyNotVersion(in.getVersion());
   if (refusal) {
     refuse(*refusal, results.initRefused());
   } else {
@@ -100,7 +91,7 @@ kj::Promise<void> PeerServer::ping(PingContext context) {
       return rpc::failure(Type::FAILED, "more components are watched than can be connected to");
     }
     for (const auto name : in.getComponents()) {
-      if (const auto refusal = whyNotNames({name})) {
+      if (const auto refusal = admission_.whyNotNames({name})) {
         return rpc::failure(Type::FAILED, refusal->text);
       }
     }
@@ -154,51 +145,22 @@ kj::Promise<void> PeerServer::whenThere(Attempt attempt, Refuse refuse) {
   });
 }
 
-std::optional<Refusal> PeerServer::whyNotNames(Names names) const {
-  const auto longest = std::max_element(
-      names.begin(), names.end(), [](auto one, auto other) { return one.size() < other.size(); });
-  if (longest->size() <= kLongestName) return std::nullopt;
-  return Refusal{Kind::LIMIT_REACHED, "talk to process '" + host_.directory_.process() +
-                                          "': the caller gives a name of " +
-                                          std::to_string(longest->size()) +
-                                          " bytes, and none may have more than " +
-                                          std::to_string(kLongestName) + ". Choose a shorter one."};
-}
-
-std::optional<Refusal> PeerServer::whyNotProcess(const std::string& name) const {
-  if (caller_->identity.mayBe(name)) return std::nullopt;
-  return Refusal{Kind::NOT_PERMITTED,
-                 "talk to process '" + host_.directory_.process() +
-                     "': the caller says that it is '" + name + "' and has the certificate of " +
-                     caller_->identity.text() + ". Give it its own name or its own keys."};
-}
-
 std::optional<Refusal> PeerServer::whyNotGiven(const Endpoint& endpoint) {
-  const rpc::PeerIdentity& who = caller_->identity;
   forgetEnded();
-  if (!interfaces_.anyFree()) {
-    return Refusal{Kind::LIMIT_REACHED, "use '" + endpoint.toString() +
-                                            "': this process has been given " +
-                                            std::to_string(kMostConnections) +
-                                            " interfaces, and none is given more. Let go of some."};
-  }
-  if (host_.policy_.access(who, endpoint) != Access::None) return std::nullopt;
-  return Refusal{Kind::NOT_PERMITTED, "use '" + endpoint.toString() + "': the policy of process '" +
-                                          endpoint.process + "' does not give it to " + who.text() +
-                                          ". Add it to the role of that rule."};
-}
-
-bool PeerServer::mayOnlyRead(const Endpoint& endpoint) const {
-  return host_.policy_.access(caller_->identity, endpoint) == Access::Read;
+  if (interfaces_.anyFree()) return admission_.whyNotInterface(endpoint);
+  return Refusal{Kind::LIMIT_REACHED, "use '" + endpoint.toString() +
+                                          "': this process has been given " +
+                                          std::to_string(kMostConnections) +
+                                          " interfaces, and none is given more. Let go of some."};
 }
 
 kj::Promise<void> PeerServer::connect(ConnectContext context) {
   auto in = context.getParams();
   const Endpoint endpoint = endpointOf(in.getToComponent(), in.getProvided());
-  auto withheld =
-      whyNotNames({in.getFromProcess(), in.getFromComponent(), in.getRequired(),
-                   in.getToComponent(), in.getProvided(), in.getContract(), in.getHash()});
-  if (!withheld) withheld = whyNotProcess(stringOf(in.getFromProcess()));
+  auto withheld = admission_.whyNotNames({in.getFromProcess(), in.getFromComponent(),
+                                          in.getRequired(), in.getToComponent(), in.getProvided(),
+                                          in.getContract(), in.getHash()});
+  if (!withheld) withheld = admission_.whyNotProcess(stringOf(in.getFromProcess()));
   if (!withheld) withheld = whyNotGiven(endpoint);
   if (withheld) {
     refuse(*withheld, context.getResults().initRefused());
@@ -217,7 +179,7 @@ kj::Promise<void> PeerServer::connect(ConnectContext context) {
 
 /// Is a request that may be accepted.
 struct PeerServer::Asked {
-  std::string client;  // the required interface, with its process, as proven() returns it
+  std::string client;  // the required interface, as Admission::proven() returns it
   IncomingConnection connection;
   Match match;
   ConnectContext context;
@@ -236,17 +198,18 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
     const Match match = requireCompatibleContract(describedInfo(contract, hash, description),
                                                   provided.info(), name);
     requireSameFrames(fromWire(in.getFrames()), provided.frames(), name);
-    const std::string caller = proven(client.toString());
+    const std::string caller = admission_.proven(client.toString());
     if (in.getEpoch() == 0 || takesOver(caller, name, context)) {
       return accept(
           {.client = caller,
            .connection = {.provided = provided,
                           .contract = *match.contract,
                           .terms = {.name = name,
-                                    .ledger = host_.ledgerOf(proven(name), incarnation_)},
+                                    .ledger =
+                                        host_.ledgerOf(admission_.proven(name), incarnation_)},
                           .events = fromWireNumbers(match.contract->wireEvents, in.getEvents()),
                           .provider = host_.serverOf_(provided),
-                          .readOnly = mayOnlyRead(endpoint),
+                          .readOnly = admission_.mayOnlyRead(endpoint),
                           .peer = state_,
                           .silence = silenceIn(in)},
            .match = match,
@@ -258,10 +221,6 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
     refuse({Kind::CONTRACT_MISMATCH, error.what()}, context.getResults().initRefused());
     return kj::READY_NOW;
   }
-}
-
-std::string PeerServer::proven(const std::string& name) const {
-  return caller_->identity.text() + ": " + name;
 }
 
 // One required interface has one connection: the latest.
@@ -317,7 +276,7 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
     return end.close();
   }
   const std::shared_ptr<Ledger>& ledger = accepted.channel->terms.ledger;
-  host_.keepLedger(proven(asked.connection.terms.name), incarnation_, ledger);
+  host_.keepLedger(admission_.proven(asked.connection.terms.name), incarnation_, ledger);
   ledger->begin(accepted.channel, incarnation_);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   keep({kj::addRef(end), accepted.channel, asked.place});
@@ -408,7 +367,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
                                             .terms = {.name = name},
                                             .events = ~EventSet{0},
                                             .provider = host_.serverOf_(provided),
-                                            .readOnly = mayOnlyRead(endpoint)};
+                                            .readOnly = admission_.mayOnlyRead(endpoint)};
         auto channel = rpc::callsChannel(host_.control_, connection);
         auto port = rpc::serveCalls(host_.control_, connection, channel, caller_->counters);
         keep({kj::addRef(*port), channel, place});

@@ -3,11 +3,11 @@
 
 #include <suture/lane/lanes.h>
 #include <suture/names/records.h>
+#include <suture/session/provider/admission.h>
 #include <suture/session/provider/client_leases.h>
 #include <suture/session/provider/peer_host.h>
 #include <suture/session/provider/places.h>
 
-#include <initializer_list>
 #include <map>
 #include <optional>
 #include <vector>
@@ -51,8 +51,6 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   Endpoint endpointOf(capnp::Text::Reader component, capnp::Text::Reader interface) const;
   kj::Promise<void> decide(ProvidedBase& provided, const Endpoint& endpoint,
                            ConnectContext& context, Places::Place place);
-  /// Returns a name that the caller gives, with who it has proved to be: others may give it too.
-  std::string proven(const std::string& name) const;
   bool takesOver(const std::string& client, const std::string& name, ConnectContext& context);
   /// Makes the connection by the lane that was asked for, or declines it.
   kj::Promise<void> accept(const Asked& asked);
@@ -65,18 +63,14 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   void forgetEnded();
   void putTasks(wire::Peer::PingResults::Builder results) const;
   void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
-  using Names = std::initializer_list<capnp::Text::Reader>;
-  /// Returns why the caller may not give such names.
-  std::optional<Refusal> whyNotNames(Names names) const;
-  /// Returns why the caller is not the process that it says it is, or may not have that interface.
-  std::optional<Refusal> whyNotProcess(const std::string& name) const;
+  /// Returns why the caller may not have that interface.
   std::optional<Refusal> whyNotGiven(const Endpoint& endpoint);
   /// Tells the caller and, in this process, its operator.
   void refuse(const Refusal& refusal, wire::Refusal::Builder out);
-  bool mayOnlyRead(const Endpoint& endpoint) const;
 
   PeerHost& host_;
   const std::shared_ptr<rpc::Caller> caller_;
+  const Admission admission_;      // of the caller
   std::string bootId_;             // the peer's, as it said in hello
   std::uint64_t incarnation_ = 0;  // likewise
   const std::shared_ptr<PeerState> state_ = std::make_shared<PeerState>();  // the peer's
