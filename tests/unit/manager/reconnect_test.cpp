@@ -3,18 +3,14 @@
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
-#include <suture/component/task/event_task.h>
 #include <suture/component/task/periodic_task.h>
 #include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
-#include <suture/standard/lifecycle.suture.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "reference/still_arm.h"
@@ -23,51 +19,13 @@
 #include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
+#include "unit/manager/arm_and_client.h"
 #include "unit/manager/two_processes.h"
 
-namespace suture {
+namespace suture::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// A task that provides an arm; its mode is latched.
-struct ArmTask final : PeriodicTask, StillArm {
-  ArmTask() : PeriodicTask({.period = 1ms}) {}
-  ~ArmTask() override { stop(); }
-  void run() override {}
-  void set_mode(reference::Mode mode) override { port.emit().mode(mode); }
-  Provided<reference::ArmLike> port{*this, "Arm", *this};
-};
-
-struct ArmDevice final : Device, StillArm {
-  void set_mode(reference::Mode mode) override { port.emit().mode(mode); }
-  Provided<reference::ArmLike> port{*this, "Arm", *this};
-};
-
-struct Client final : PeriodicTask {
-  Client() : PeriodicTask({.period = 1ms}) {
-    slave.on().mode([this](reference::Mode) { ++modes; });
-  }
-  ~Client() override { stop(); }
-  void run() override {
-    if (read) {
-      pass(1us);  // what was published at the same instant has no age
-      (void)slave.measured_cp();
-    }
-    const auto held = slave.hold();
-    error = held ? Errc{} : held.error();
-    if (ask && !call) {
-      call.emplace(slave.set_mode.start(reference::Mode::Enabled));
-      asked = true;
-    }
-    if (call && call->poll()) answer = *call->poll() ? Errc{} : call->poll()->error();
-  }
-  Required<reference::ArmLike> slave{*this, "Slave"};
-  std::atomic<Errc> error{Errc::NotYet}, answer{Errc::NotYet};
-  std::atomic<bool> ask{false}, asked{false}, read{false};
-  std::atomic<int> modes{0};
-  std::optional<Call<Result<void>, NoSlot>> call;
-};
 
 /// Its run() ends when the test says so, so that a call stays under way.
 struct Busy final : PeriodicTask, StillArm {
@@ -93,24 +51,6 @@ struct Census {
         std::count_if(seen.begin(), seen.end(), [](const auto& one) { return !one.expired(); }));
   }
   std::vector<std::weak_ptr<Channel>> seen;
-};
-
-/// Has an arm and its client, running in one process.
-template <class Arm>
-struct OneProcess {
-  OneProcess() {
-    manager.add("PSM", arm);
-    manager.add("Teleop", client);
-    manager.start();
-  }
-  void connect(const ConnectionContract& contract = {}) {
-    manager.connect("Teleop/Slave", "PSM/Arm", {.patience = 1s, .contract = contract});
-  }
-  void disconnect() { manager.disconnect("Teleop/Slave"); }
-
-  Arm arm;
-  Client client;
-  Manager manager{"here"};
 };
 
 TEST(Reconnect, WhileTasksRunToAnotherProvider) {
@@ -310,8 +250,8 @@ TEST(Reconnect, WhyALostConnectionCannotBeMadeAnewIsTold) {
   there = provider("ECM", renamed);
   ASSERT_TRUE(eventually([&] { return !here.whyNotBack().empty(); }));
   const std::string why = here.whyNotBack().at(name);
-  EXPECT_TRUE(contains(why, "process 'there' has")) << why;
-  EXPECT_TRUE(contains(why, "'ECM'")) << why;
+  EXPECT_TRUE(suture::contains(why, "process 'there' has")) << why;
+  EXPECT_TRUE(suture::contains(why, "'ECM'")) << why;
   there = nullptr;
 
   there = provider("PSM", second);
@@ -320,120 +260,5 @@ TEST(Reconnect, WhyALostConnectionCannotBeMadeAnewIsTold) {
   EXPECT_FALSE(here.whyLost().at(name).empty()) << "that stays";
 }
 
-TEST(Reconnect, AStaleReadAwaitsTheOperator) {
-  OneProcess<ArmTask> here;
-  here.connect({.maxAge = 1ns, .resume = Resume::Operator});
-  EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
-  EXPECT_EQ(refusal([&] { here.manager.resumeConnection("Teleop/Slave"); }),
-            "resuming connection 'Teleop/Slave': it does not await an operator. Nothing has to be "
-            "done");
-  here.client.read = true;
-  EXPECT_TRUE(eventually([&] { return here.client.error == Errc::AwaitingOperator; }));
-  here.client.read = false;
-  pass(5ms);
-  EXPECT_EQ(here.client.error, Errc::AwaitingOperator);
-  here.manager.resumeConnection("Teleop/Slave");
-  EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
-}
-
-/// Speaks to the life of a client, from the same process or another.
-struct Operator final : Device {
-  std::optional<ResumeOutcome> resume(const std::string& required) {
-    const auto answer = life.resume_connection.start(required).within(kPatience);
-    return answer ? std::optional(*answer) : std::nullopt;
-  }
-  Required<Lifecycle> life{*this, "Life"};
-};
-
-TEST(Reconnect, TheOperatorAsksTheComponentItself) {
-  Operator person;
-  OneProcess<ArmTask> here;
-  here.manager.add("Operator", person);
-  here.manager.start();
-  here.manager.connect("Operator/Life", "Teleop/component");
-  EXPECT_EQ(person.resume("Nothing"), ResumeOutcome::NoSuchInterface);
-  EXPECT_EQ(person.resume("Slave"), ResumeOutcome::NotConnected);
-  here.connect({.maxAge = 1ns, .resume = Resume::Operator});
-  EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
-  EXPECT_EQ(person.resume("Slave"), ResumeOutcome::NotAwaiting);
-  here.client.read = true;
-  EXPECT_TRUE(eventually([&] { return here.client.error == Errc::AwaitingOperator; }));
-  here.client.read = false;
-  pass(5ms);
-  here.manager.suspend("PSM");
-  EXPECT_EQ(person.resume("Slave"), ResumeOutcome::ProviderLost);
-  EXPECT_EQ(refusal([&] { here.manager.resumeConnection("Teleop/Slave"); }),
-            "resuming connection 'Teleop/Slave': the provider is suspended. Have its provider run "
-            "again, and look at it, first");
-  here.manager.resume("PSM");
-  EXPECT_TRUE(eventually([&] { return here.client.error == Errc::AwaitingOperator; }));
-  EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Resumed);
-  EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
-}
-
-/// Is a client without a thread of its own.
-struct DeviceClient final : Device {
-  Required<reference::ArmLike> slave{*this, "Slave"};
-};
-
-TEST(Reconnect, ADeviceResumesWhenItUsesTheConnectionNext) {
-  ArmTask arm;
-  DeviceClient client;
-  Operator person;
-  Manager manager("here");
-  manager.add("PSM", arm);
-  manager.add("Teleop", client);
-  manager.add("Operator", person);
-  manager.start();
-  manager.connect("Operator/Life", "Teleop/component");
-  manager.connect("Teleop/Slave", "PSM/Arm",
-                  {.patience = 1s, .contract = {.maxAge = 1ns, .resume = Resume::Operator}});
-  EXPECT_TRUE(eventually([&] { return client.slave.measured_cp().error() == Errc::Stale; }));
-  EXPECT_EQ(client.slave.hold().error(), Errc::AwaitingOperator);
-  EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Asked);
-  EXPECT_TRUE(client.slave.hold());
-}
-
-TEST(Reconnect, AResumeDoesNotCoverALaterLoss) {
-  const TemporaryDirectory directory;
-  rpc::ControlThread control;
-  const GlobalManager global(control, "unix:" + directory.file("m.sock"));
-  DeviceClient client;
-  Operator person;
-  Manager here{"here", global.address()};
-  here.add("Teleop", client);
-  here.add("Operator", person);
-  here.start();
-  here.connect("Operator/Life", "Teleop/component");
-  std::shared_ptr<Channel> lost;
-  {
-    ArmTask arm;
-    Manager there{"there", global.address()};
-    there.add("PSM", arm);
-    there.start();
-    here.connect("Teleop/Slave", "there:PSM/Arm",
-                 {.patience = 1s, .contract = {.resume = Resume::Operator}});
-    EXPECT_TRUE(client.slave.hold());
-    EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Asked);
-    for (const auto& one : here.channels()) {
-      if (one->terms.watch != nullptr && one->name().find("Slave") != std::string::npos) lost = one;
-    }
-    ASSERT_NE(lost, nullptr);
-  }
-  ArmTask arm;
-  Manager there{"there", global.address()};
-  there.add("PSM", arm);
-  there.start();
-  EXPECT_TRUE(eventually([&] {
-    const auto channels = here.channels();
-    return std::any_of(channels.begin(), channels.end(), [&](const auto& one) {
-      return one != lost && one->terms.watch == lost->terms.watch &&
-             one->status == ChannelStatus::Connected;
-    });
-  }));
-  EXPECT_EQ(client.slave.hold().error(), Errc::AwaitingOperator);
-  EXPECT_EQ(arm.holds, 0);
-}
-
 }  // namespace
-}  // namespace suture
+}  // namespace suture::test

@@ -1,0 +1,197 @@
+// Where a server listens, and what it does when the kernel refuses.
+
+#include <gtest/gtest.h>
+#include <suture/net/listener.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+
+#include <fstream>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "echo_scene.h"
+#include "socket_pair.h"
+#include "support/contains.h"
+#include "support/refusal.h"
+#include "support/refused_call.h"
+
+namespace suture::rpc {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Echo;
+
+class ListenerTest : public test::EchoScene {};
+INSTANTIATE_TEST_SUITE_P(Sockets, ListenerTest, testing::Values("unix", "tcp"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(ListenerTest, AnAddressInUseIsRefused) {
+  serve();
+  try {
+    Listener second(port_, server_->address());
+    FAIL() << "bound twice";
+  } catch (const SetupError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find(server_->address().text()), std::string::npos) << text;
+    EXPECT_NE(text.find("another process listens"), std::string::npos) << text;
+  }
+  auto link = connect();
+  EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(port_.scope()), 3u);
+}
+
+/// Fills the queue of a listener with connections, whose peers say nothing.
+std::vector<kj::AutoCloseFd> queueAt(const Address& address, std::size_t count) {
+  const SocketAddress target(address);
+  std::vector<kj::AutoCloseFd> sockets;
+  while (sockets.size() < count) {
+    sockets.emplace_back(::socket(target.family(), SOCK_STREAM | SOCK_CLOEXEC, 0));
+    EXPECT_EQ(::connect(sockets.back(), target.get(), target.length), 0) << std::strerror(errno);
+  }
+  return sockets;
+}
+
+// Who connects faster than connections are accepted must not keep the loop from its other
+// sockets.
+TEST_P(ListenerTest, ACrowdLeavesTheOthersTheirTurns) {
+  constexpr std::size_t kCrowd = 120;
+  Listener listener(port_, Address::parse(freshAddress()));
+  const auto crowd = queueAt(listener.address(), kCrowd);
+  SocketPair other = makeSocketPair();
+  EventPort::FdObserver observer(port_, other.ours, EventPort::FdObserver::OBSERVE_READ);
+  std::vector<kj::AutoCloseFd> accepted;
+  auto all = kj::newPromiseAndFulfiller<void>();
+  std::size_t before = 0;
+  auto heard = observer.whenBecomesReadable()
+                   .then([&] { before = accepted.size(); })
+                   .eagerlyEvaluate(nullptr);
+  auto listening = listener
+                       .listen([&](kj::AutoCloseFd socket) {
+                         if (accepted.empty()) sendText(other.theirs, "x");
+                         accepted.push_back(kj::mv(socket));
+                         if (accepted.size() == kCrowd) all.fulfiller->fulfill();
+                       })
+                       .eagerlyEvaluate(nullptr);
+  all.promise.wait(port_.scope());
+  heard.wait(port_.scope());
+  EXPECT_GT(before, 0u);
+  EXPECT_LT(before, kCrowd);
+}
+
+/// Returns what a server says the second time that the kernel refuses it a connection with
+/// `error`.
+std::string toldWhenRefused(const Address& address, int error) {
+  EventPort port;
+  Refusals refusals("server");
+  const LinkServer server(
+      port, address,
+      [](auto&&) -> capnp::Capability::Client { return Echo::Client(kj::heap<EchoServer>()); },
+      refusals);
+  refuseCall(SYS_accept4, error);
+  const auto crowd = queueAt(server.address(), 1);
+  const Time end = now() + suture::kPatience;
+  while (refusals.summary().count < 2 && now() < end)
+    port.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port.scope());
+  return refusals.summary().latest;
+}
+
+// A rule of a firewall, or a network that goes down, refuses for a while.
+TEST_P(ListenerTest, AServerComesBackWhateverTheKernelRefuses) {
+  const std::string wait = ": wait until this process can accept connections again: ";
+  const std::pair<int, std::string> cases[] = {
+      {EPERM, "Operation not permitted. Look what keeps this machine from it: its network, a"},
+      {ENETDOWN, "Network is down. Look what keeps this machine from it"},
+      {EMFILE, "Too many open files. Raise its limit (ulimit -n)"}};
+  for (const auto& [error, words] : cases) {
+    std::string told;
+    std::thread([&, refused = error] {  // what is refused to a thread stays so
+      told = toldWhenRefused(Address::parse(freshAddress()), refused);
+    })
+        .join();
+    EXPECT_TRUE(contains(told, wait + words)) << told;
+  }
+}
+
+TEST(Listener, APlainFileAtTheAddressIsAnError) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("s");
+  std::ofstream(path) << "somebody's notes";
+  EventPort port;
+  try {
+    Listener listener(port, Address::parse("unix:" + path));
+    FAIL() << "a file was taken for a socket";
+  } catch (const SetupError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("unix:" + path), std::string::npos) << text;
+    EXPECT_NE(text.find("a file that is no socket"), std::string::npos) << text;
+    EXPECT_NE(text.find("Remove it"), std::string::npos) << text;
+  }
+  EXPECT_TRUE(std::ifstream(path).good()) << "the file was taken away";
+}
+
+TEST_P(ListenerTest, TheRealPortIsReported) {
+  serve();
+  if (server_->address().kind == Address::Kind::Tcp) {
+    EXPECT_NE(server_->address().port, 0);
+  }
+}
+
+class UnixListenerTest : public test::EchoScene {};
+INSTANTIATE_TEST_SUITE_P(Sockets, UnixListenerTest, testing::Values("unix"));
+
+TEST_P(UnixListenerTest, TheSocketFileIsPrivateAndRemoved) {
+  serve();
+  const std::string path = server_->address().path;
+  struct stat status {};
+  ASSERT_EQ(stat(path.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
+  server_ = nullptr;
+  EXPECT_NE(stat(path.c_str(), &status), 0);
+}
+
+TEST_P(UnixListenerTest, AStaleSocketFileIsReplaced) {
+  const Address address = Address::parse(freshAddress());
+  {
+    const kj::AutoCloseFd dead(socket(AF_UNIX, SOCK_STREAM, 0));
+    const SocketAddress target(address);
+    ASSERT_EQ(bind(dead, target.get(), target.length), 0);
+  }
+  serve();
+  auto link = connect();
+  EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(port_.scope()), 3u);
+}
+
+TEST(Listening, WhereTheKernelRefusesIsAnError) {
+  EventPort port;
+  const auto refused = [&](const char* address) {
+    return refusal([&] { Listener(port, Address::parse(address)); });
+  };
+  EXPECT_EQ(refused("unix:/nowhere/at/all.sock"),
+            "listen at unix:/nowhere/at/all.sock: No such file or directory. Check that the "
+            "directory exists and is yours.");
+  EXPECT_EQ(refused("tls://192.0.2.1:7700"),
+            "listen at tls://192.0.2.1:7700: Cannot assign requested address. Choose another "
+            "address or port.");
+}
+
+TEST_P(UnixListenerTest, AnOrdinaryFileIsNotTouched) {
+  const Address address = Address::parse(freshAddress());
+  std::ofstream(address.path) << "notes";
+  EXPECT_TRUE(contains(refusal([&] { Listener(port_, address); }),
+                       "there is a file that is no socket. Remove it, or choose"));
+  std::string content;
+  std::ifstream(address.path) >> content;
+  EXPECT_EQ(content, "notes");
+}
+
+TEST_P(UnixListenerTest, AMissingDirectoryIsAnError) {
+  try {
+    const Listener listener(port_, Address::parse("unix:/nonexistent/s"));
+    FAIL() << "listens in a directory that does not exist";
+  } catch (const SetupError& error) {
+    EXPECT_NE(std::string(error.what()).find("directory"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace suture::rpc
