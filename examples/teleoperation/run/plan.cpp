@@ -80,7 +80,7 @@ void makeKeys(nlohmann::json& system, const std::filesystem::path& folder) {
 }
 
 /// Keeps what the topology's file means by paths of its own folder, though the run has another.
-/// What components write by their parameters goes to that of the run.
+/// Components still write the files that their parameters name to the folder of the run.
 void keepPaths(json& system, const suture::Deployment& topology) {
   const auto keep = [&](json& owner, const char* key) {
     const auto path = owner.find(key);

@@ -26,8 +26,8 @@ constexpr const char* kOtherSpeaksTls =
     "it speaks TLS, and this end does not. Correct the address: tls:// at both ends, or at "
     "neither.";
 
-// What reads a message follows some of its references twice, and each time the library counts what
-// they lead to.
+// Cap'n Proto counts what a reference leads to each time that it is followed, and generated code
+// follows some references twice.
 capnp::ReaderOptions readerOptions(const StreamLimits& limits) {
   capnp::ReaderOptions options;
   options.traversalLimitInWords = 2 * limits.messageBytes / sizeof(capnp::word);

@@ -13,7 +13,7 @@ namespace suture::rpc {
 namespace {
 
 constexpr int kBacklog = 128;
-// What waits then waits for the loop to look at its other sockets.
+// The loop looks at its other sockets before the listener accepts more.
 constexpr int kMostInATurn = 32;
 constexpr mode_t kEverybodys = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
 // Breaks the connection of a caller that answers nothing for this long: a caller that still runs

@@ -7,7 +7,7 @@ class SUTURE_INTERFACE() Stage {
   SUTURE_COMMAND(name("moveMetres")) virtual void move(double metres) = 0;
   SUTURE_COMMAND() virtual double gain() const = 0;
   SUTURE_COMMAND(name("setGain")) virtual void gain(double value) = 0;
-  // What is no command may share its name.
+  // A method that is no command may share its name.
   SUTURE_COMMAND() virtual void turn(double angle) = 0;
   void turn(int degrees);
 };
