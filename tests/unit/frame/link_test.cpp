@@ -267,7 +267,7 @@ TEST(LaneThread, BreaksALinkThatItCannotWatch) {
     LaneThread lane;
     refuseCall(SYS_epoll_ctl, ENOSPC);
     lane.add(link);
-    EXPECT_TRUE(eventually([&] { return link->broken(); }));
+    EXPECT_TRUE(eventually([&] { return pair.client->broken(); }));
     EXPECT_EQ(refusal([] { LaneThread another; }),
               "watch the bell of the thread of frames: No space left on device. Raise the limit of "
               "what a user watches (fs.epoll.max_user_watches)");
