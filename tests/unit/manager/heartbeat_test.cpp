@@ -133,6 +133,22 @@ TEST_F(HeartbeatTest, APeerThatFallsSilentAfterSomeAnswersIsLost) {
   EXPECT_EQ(now() - begun, kBounds.silence + 3 * (kBounds.hang / 10));
 }
 
+// A connection whose silence suits no round trip is lost again and again.
+TEST_F(HeartbeatTest, ALossTellsThatSilenceIsTooShortForTheWay) {
+  answers_.silentAfter = 0;
+  heartbeat_.noteRoundTrip(2100ms);
+  heartbeat_.noteRoundTrip(3s);
+  EXPECT_EQ(whyLost({}),
+            "silent: its process has not answered for 5000 ms, but answers take "
+            "2100 ms: let \"silence\" be at least 5250 ms");
+}
+
+TEST_F(HeartbeatTest, ALossBlamesNoSilenceThatSuitsTheWay) {
+  answers_.silentAfter = 0;
+  heartbeat_.noteRoundTrip(2s);
+  EXPECT_EQ(whyLost({}), "silent: its process has not answered for 5000 ms");
+}
+
 TEST_F(HeartbeatTest, APeerThatGoesOnAnsweringIsNeverLost) {
   const std::size_t asksOfAMinute = 1min / (kBounds.hang / 10);
   EXPECT_EQ(whyLost(std::vector<Duration>(asksOfAMinute + 1, 0ms)), "not lost");

@@ -13,6 +13,10 @@ namespace {
 // Asks this many times within a bound, so that a loss is noticed late by at most a tenth of it.
 constexpr int kPerBound = 10;
 
+// The peer has heard of an answer after one and a half round trips, and the next is here after two
+// and a half.
+constexpr double kRoundTripsInSilence = 2.5;
+
 std::string milliseconds(Duration duration) {
   return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(duration).count()) +
          " ms";
@@ -53,7 +57,8 @@ void Heartbeat::Watch::look(BootTime present, BootTime begun) {
   const Duration paused = present - begun;
   const bool here = paused >= bounds_.silence;
   lose(here ? "silent: this process has not run for " + milliseconds(paused)
-            : "silent: its process has not answered for " + milliseconds(bounds_.silence));
+            : "silent: its process has not answered for " + milliseconds(bounds_.silence) +
+                  heartbeat_.whyTooShort(bounds_.silence));
 }
 
 void Heartbeat::Watch::heard(wire::TaskActivity::Reader task, Time then) {
@@ -119,6 +124,15 @@ bool Heartbeat::silent() const {
          });
 }
 
+// Returns "" if the silence is long enough for the way, or no answer has come yet.
+std::string Heartbeat::whyTooShort(Duration silence) const {
+  if (fastest_ == kEver) return "";
+  const auto least = std::chrono::ceil<std::chrono::milliseconds>(kRoundTripsInSilence * fastest_);
+  if (silence >= least) return "";
+  return ", but answers take " + milliseconds(fastest_) + ": let \"silence\" be at least " +
+         milliseconds(least);
+}
+
 Duration Heartbeat::interval() const {
   Duration shortest = kEver;
   for (const Watch* watch : watches_) {
@@ -163,6 +177,7 @@ void Heartbeat::heard(Time asked, wire::Peer::PingResults::Reader told) {
   asked_ = false;
   lostOne_ = false;
   heard_ = told.getSent();
+  noteRoundTrip(now() - asked);
   if (answered_) answered_(asked, told);
   if (renamed_) {
     looking_ = kj::evalLater([this] { return look(); }).eagerlyEvaluate(nullptr);

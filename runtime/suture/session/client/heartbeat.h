@@ -9,6 +9,7 @@
 #include <kj/function.h>
 #include <kj/timer.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -74,6 +75,10 @@ class Heartbeat {
   using Answered = std::function<void(Time asked, wire::Peer::PingResults::Reader answer)>;
   void onAnswer(Answered answered) { answered_ = std::move(answered); }
 
+  /// An answer has taken this long. A loss to silence tells if its bound leaves the fastest no
+  /// time.
+  void noteRoundTrip(Duration took) { fastest_ = std::min(fastest_, took); }
+
   /// Returns true if a watch has been lost to silence, no answer has come since, and no other watch
   /// bears the silence still.
   bool silent() const;
@@ -81,6 +86,7 @@ class Heartbeat {
  private:
   Duration interval() const;
   kj::Promise<void> look();
+  std::string whyTooShort(Duration silence) const;
   void ask();
   std::vector<std::string> components() const;
   void name();
@@ -94,6 +100,7 @@ class Heartbeat {
   std::string gone_;                  // why the peer is gone; "" while it is there
   bool renamed_ = false;              // the peer must be told of the new names
   bool lostOne_ = false;              // to silence, since the latest answer
+  Duration fastest_ = kEver;          // the answer that took the least time
   std::int64_t heard_ = 0;            // when the peer sent its latest answer, by its own clock
   BootTime told_ = BootClock::now();  // when it was last told that an answer has come
   bool asked_ = false;                // a question is under way

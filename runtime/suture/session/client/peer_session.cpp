@@ -50,6 +50,7 @@ kj::Promise<void> PeerSession::greet(const SessionIdentity& self) {
   return request.send().then([this, asked](auto&& results) -> kj::Promise<void> {
     if (results.isRefused()) return refused(results.getRefused());
     peersIncarnation_ = results.getIncarnation();
+    heartbeat_.noteRoundTrip(now() - asked);
     if (stringOf(results.getBootId()) == bootId()) {
       clock_ = ClockOffset::none();
       return kj::READY_NOW;
