@@ -14,7 +14,8 @@ using robots::Colour;
 
 // OpenCV takes places in parts of a pixel, with this many bits.
 constexpr int kFraction = 4;
-constexpr double kLetters = 0.45;  // of the font's own size
+constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX, kStroke = 1;  // px
+constexpr double kLetters = 0.45;                             // of the font's own size
 
 cv::Scalar scalar(Colour colour) {
   return {double(colour[0]), double(colour[1]), double(colour[2])};
@@ -66,10 +67,15 @@ void Canvas::cross(const Vector2d& centre, double size, Colour colour) {
   line(centre - Vector2d(0, size), centre + Vector2d(0, size), colour);
 }
 
+int Canvas::widthOf(const std::string& words) {
+  int underline = 0;  // not asked for
+  return cv::getTextSize(words, kFont, kLetters, kStroke, &underline).width;
+}
+
 void Canvas::text(const Vector2d& lowerLeft, const std::string& words, Colour colour) {
   if (!isNear(lowerLeft)) return;
-  cv::putText(pixels_, words, pixel(lowerLeft), cv::FONT_HERSHEY_SIMPLEX, kLetters, scalar(colour),
-              1, cv::LINE_AA);
+  cv::putText(pixels_, words, pixel(lowerLeft), kFont, kLetters, scalar(colour), kStroke,
+              cv::LINE_AA);
 }
 
 // This uses libpng, because OpenCV's own writer of images would bring a hundred further packages.

@@ -26,6 +26,8 @@ class Canvas {
   void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, robots::Colour colour);
   void ring(const Eigen::Vector2d& centre, double radius, robots::Colour colour);
   void cross(const Eigen::Vector2d& centre, double size, robots::Colour colour);
+  /// Returns how wide text() writes the words.
+  static int widthOf(const std::string& words);
   /// Writes the words from `lowerLeft` to the right.
   void text(const Eigen::Vector2d& lowerLeft, const std::string& words, robots::Colour colour);
 

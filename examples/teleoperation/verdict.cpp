@@ -36,14 +36,14 @@ std::string whatWasLost(const CrewResult& result,
       [](const ConnectionReport& one) { return one.contract && one.contract->losses > 0; });
   if (result.outage) return "had every connection again";
   if (lost == 0) return "lost nothing";
-  return fmt::format("have again the {} connection{} that they lost", lost, lost == 1 ? "" : "s");
+  return fmt::format("have again the {} that they lost",
+                     counted(static_cast<std::size_t>(lost), "connection"));
 }
 
 Check checkProcesses(const CrewResult& result, const std::vector<ConnectionReport>& connections) {
   if (!result.failures.empty()) return {false, result.failures.front()};
-  return {true,
-          fmt::format("{} process{} ran to the end and {}", result.reports.size(),
-                      result.reports.size() == 1 ? "" : "es", whatWasLost(result, connections))};
+  return {true, fmt::format("{} ran to the end and {}", counted(result.reports.size(), "process"),
+                            whatWasLost(result, connections))};
 }
 
 /// Returns what is wrong with the lane of a connection; "" if it had the one that it was given.
@@ -80,7 +80,7 @@ Check checkLanes(const Plan& plan, const std::vector<ConnectionReport>& connecti
       return {false, problem};
     }
   }
-  return {true, fmt::format("{} connections used the lane they were given", plan.lanes().size())};
+  return {true, counted(plan.lanes().size(), "connection") + " used the lane they were given"};
 }
 
 /// Judges one slave from the recordings; fills its figures.
@@ -110,8 +110,9 @@ Check checkKnot(const KnotPlacing& placing, std::optional<robots::KnotJudgement>
   }
   const auto violations = robots::violations(*figures);
   if (!violations.empty()) return {false, fmt::format("{}", fmt::join(violations, "; "))};
-  return {true, fmt::format("the knot came from {:.1f} to {:.2f} mm from its target; the cameras "
-                            "saw it {:.0f} % of the time, within {:.2f} mm at p99",
+  return {true, fmt::format("the knot came from {:.1f} to {:.2f} mm from its target; while it was "
+                            "guided, the cameras saw it {:.0f} % of the time, within {:.2f} mm at "
+                            "p99",
                             1e3 * figures->start, 1e3 * figures->error, 1e2 * figures->sighted,
                             1e3 * figures->sighting_error)};
 }

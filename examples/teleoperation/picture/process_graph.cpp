@@ -21,8 +21,8 @@ using picture::Canvas;
 using robots::Colour;
 
 constexpr Colour kInk{0, 0, 0}, kBoxes{215, 225, 245}, kPaper{255, 255, 255}, kWires{120, 120, 120};
-constexpr double kLetter = 8, kLine = 18;  // px: a letter's width, and from line to line
-constexpr double kTitle = 30;              // px, above the graph
+constexpr double kLine = 18;   // px, from line to line
+constexpr double kTitle = 30;  // px, above the graph
 // With more processes than this there is no room for what each link has carried.
 constexpr std::size_t kMostWithFigures = 6;
 
@@ -54,10 +54,9 @@ Vector2d placeOf(std::size_t process, const ProcessGraph& graph, const Canvas& c
 /// Writes lines centred about a place, on a field of that colour.
 void label(Canvas& canvas, const Vector2d& middle, const std::vector<std::string>& lines,
            Colour colour) {
-  std::size_t longest = 0;
-  for (const std::string& line : lines) longest = std::max(longest, line.size());
-  const Vector2d half(kLetter * static_cast<double>(longest) / 2 + 6,
-                      kLine * static_cast<double>(lines.size()) / 2 + 3);
+  int widest = 0;
+  for (const std::string& line : lines) widest = std::max(widest, Canvas::widthOf(line));
+  const Vector2d half(widest / 2.0 + 6, kLine * static_cast<double>(lines.size()) / 2 + 3);
   canvas.fill(middle - half, middle + half, colour);
   Vector2d place = middle - half + Vector2d(6, kLine - 2);
   for (const std::string& line : lines) {
@@ -68,7 +67,7 @@ void label(Canvas& canvas, const Vector2d& middle, const std::vector<std::string
 
 std::vector<std::string> figuresOf(const ProcessGraph::Link& link) {
   std::vector<std::string> lines{
-      fmt::format("{} connections, {}", link.connections, fmt::join(link.lanes, ", "))};
+      fmt::format("{}, {}", counted(link.connections, "connection"), fmt::join(link.lanes, ", "))};
   std::string ages;
   if (link.reads > suture::Duration{0}) ages = "reads " + milliseconds(link.reads) + " ms";
   if (link.commands > suture::Duration{0}) {
@@ -116,7 +115,7 @@ void drawGraph(Canvas& canvas, const ProcessGraph& graph, int top) {
   }
   for (std::size_t i = 0; i < graph.processes.size(); ++i) {
     const auto& [name, components] = graph.processes[i];
-    label(canvas, place(i), {name, fmt::format("{} components", components)}, kBoxes);
+    label(canvas, place(i), {name, counted(components, "component")}, kBoxes);
   }
 }
 

@@ -123,7 +123,8 @@ std::uint64_t Crew::reportsOfEach() const {
 
 void Crew::watch(Duration length, const Progress& progress) {
   const Time began = suture::now();
-  std::uint64_t shown = 0;
+  std::uint64_t shown = reportsOfEach();
+  progress(Duration{0}, reports());
   const auto showNewReports = [&](Time until) {
     pumpUntil(until, [&] { return over() || reportsOfEach() > shown; });
     if (reportsOfEach() == shown) return;

@@ -38,7 +38,8 @@ void blockEndSignals();
 /// workstation for each process.
 class Crew {
  public:
-  /// Is called whenever every process has reported once more, which each does once a second.
+  /// Is called at the start of the run, when nothing has run, and then whenever every process has
+  /// reported once more, which each does once a second.
   using Progress = std::function<void(suture::Duration ran, const std::vector<suture::Report>&)>;
 
   /// `programs` is the folder of the executables; `folder` is where they run and record.

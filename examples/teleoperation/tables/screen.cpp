@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <numbers>
+#include <utility>
 
 #include "tables/component_table.h"
 #include "tables/connection_table.h"
@@ -37,11 +38,11 @@ std::string Screen::verdictMark(bool passed) const {
 }
 
 void Screen::begin(const Options& options, const Plan& plan, const Network& network) {
-  const std::size_t processes = plan.deployment().processes().size();
-  fmt::print("{}  {} process{}{}, {} connections, lane {}, {:g} Hz, {:g} s\n\n",
-             bold("Teleoperation " + plan.name()), processes, processes == 1 ? "" : "es",
+  fmt::print("{}  {}{}, {}, lane {}, {:g} Hz, {:g} s\n\n", bold("Teleoperation " + plan.name()),
+             counted(plan.deployment().processes().size(), "process"),
              plan.needsManager() ? " and a global manager" : "",
-             plan.deployment().connections().size(), options.lane, options.rate, options.seconds);
+             counted(plan.deployment().connections().size(), "connection"), options.lane,
+             options.rate, options.seconds);
   if (const std::string title = plan.deployment().title(); !title.empty())
     fmt::print("  {}\n", title);
   if (plan.needsManager()) fmt::print("  processes talk over {}\n", network.description());
@@ -92,15 +93,16 @@ Screen::Totals Screen::totalsOf(const std::vector<suture::Report>& reports) {
 
 void Screen::progress(Duration ran, const std::vector<suture::Report>& reports,
                       std::optional<double> error) {
-  const Totals now = totalsOf(reports);
-  fmt::print("{:>4.0f} s {:>8} {:>9} {:>9} {:>8} {:>5} {:>9} ms {:>7} ms {:>5} us {:>8} {:>9}\n",
-             std::chrono::duration<double>(ran).count(), now.cycles - before_.cycles,
-             now.executed - before_.executed, now.replaced - before_.replaced,
-             now.dropped - before_.dropped, now.late - before_.late, milliseconds(now.commandAge),
-             milliseconds(now.readAge), microseconds(now.jitter), now.skipped - before_.skipped,
+  const Totals before = std::exchange(shown_, totalsOf(reports));
+  const Totals& now = shown_;
+  if (ran == Duration{0}) return;
+  fmt::print("{:>5.1f} s {:>7} {:>9} {:>9} {:>8} {:>5} {:>9} ms {:>7} ms {:>5} us {:>8} {:>9}\n",
+             std::chrono::duration<double>(ran).count(), now.cycles - before.cycles,
+             now.executed - before.executed, now.replaced - before.replaced,
+             now.dropped - before.dropped, now.late - before.late, milliseconds(now.commandAge),
+             milliseconds(now.readAge), microseconds(now.jitter), now.skipped - before.skipped,
              error ? fmt::format("{:.3f} mm", 1e3 * *error) : "-");
   std::fflush(stdout);
-  before_ = now;
 }
 
 void Screen::printTable(const Table& table) const {

@@ -20,8 +20,8 @@ class Screen {
   Screen();
 
   void begin(const Options& options, const Plan& plan, const Network& network);
-  /// Writes one line about what happened since the last call; `error` is how far the worst slave
-  /// was off, in m at p99, if any follows a master.
+  /// Writes one line about what happened since the last call, and none at the start, when nothing
+  /// has run; `error` is how far the worst slave was off, in m at p99, if any follows a master.
   void progress(suture::Duration ran, const std::vector<suture::Report>& reports,
                 std::optional<double> error);
   void end(const Plan& plan, const CrewResult& result, const Verdict& verdict);
@@ -41,7 +41,7 @@ class Screen {
   std::string verdictMark(bool passed) const;
 
   const bool colours_;
-  Totals before_;
+  Totals shown_;  // by the last line
 };
 
 }  // namespace demo

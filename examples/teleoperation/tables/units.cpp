@@ -16,4 +16,9 @@ std::string microseconds(suture::Duration duration) {
   return fmt::format("{:.0f}", std::chrono::duration<double, std::micro>(duration).count());
 }
 
+std::string counted(std::size_t number, const std::string& noun) {
+  const char* const ending = number == 1 ? "" : noun.back() == 's' ? "es" : "s";
+  return fmt::format("{} {}{}", number, noun, ending);
+}
+
 }  // namespace demo
