@@ -20,8 +20,8 @@ at 1 kHz, and the run is judged. Exit status 0 only if all went well.
                                  namespaces it is frozen. What it drives, or is driven through it, has to hold, and not to jump
   --stop TIME                    press the emergency stop during the run, 6s or 6s+1500ms; both slaves have to hold, and not to jump
   --seconds N                    how long to run (default 10)
-  --rate HZ                      cycles a second of the tasks that control an arm (default 1000); cameras and what looks at their
-                                 images keep their periods, and connections the ages they permit
+  --rate HZ                      cycles a second of teleoperations (default 1000); arms and their drives run at half as much again;
+                                 cameras and what looks at their images keep their periods, and connections the ages they permit
   --dynamics Lag|RigidBody       what the drives simulate: joints without mass (as in the files), or bodies that have mass
   --json FILE                    also write all figures to FILE
   --picture FILE                 where a knot is placed: write the scene at the end as the endoscope sees it, and how the knot

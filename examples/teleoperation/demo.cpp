@@ -92,8 +92,9 @@ void declare(CLI::App& app, demo::Options& options) {
       ->capture_default_str()
       ->check(CLI::Range(1.0, 86400.0));
   app.add_option("--rate", options.rate,
-                 "Cycles a second of the tasks that control an arm, Hz; cameras and what looks at "
-                 "their images keep their periods, and connections the ages they permit")
+                 "Cycles a second of teleoperations, Hz; arms and their drives run at half as much "
+                 "again; cameras and what looks at their images keep their periods, and "
+                 "connections the ages they permit")
       ->capture_default_str()
       ->check(CLI::Range(50.0, 10000.0));
   app.add_option("--dynamics", options.dynamics,

@@ -23,8 +23,8 @@ using suture::ComponentEntry;
 using suture::ConnectionEntry;
 using suture::ProcessEntry;
 
-// In s: is the period of each task that controls an arm, in the topologies' files; that of drives
-// is shorter. A slower task, such as a camera, keeps its period: how old its data may be is in the
+// In s: is the period of each teleoperation in the topologies' files; arms and drives have a
+// shorter one. A slower task, such as a camera, keeps its period: how old its data may be is in the
 // file too, and does not follow the rate.
 constexpr double kControlPeriod = 0.001;
 

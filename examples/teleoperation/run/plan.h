@@ -22,12 +22,12 @@ struct Options {
   std::string lane = "auto";
   std::string network = "auto";  // as Network takes it
   double seconds = 10;
-  double rate = 1000;                // Hz, of the tasks that control an arm
-  std::string dynamics;              // of the drives, as DriveDynamics names it; "": as in the file
-  std::string json;                  // "": not wanted
-  std::string picture;               // "": not wanted
-  std::string cutOff;                // as parseBreak() takes it
-  std::string stop;                  // as parseStop() takes it
+  double rate = 1000;    // Hz, of teleoperations; arms and drives run at half as much again
+  std::string dynamics;  // of the drives, as DriveDynamics names it; "": as in the file
+  std::string json;      // "": not wanted
+  std::string picture;   // "": not wanted
+  std::string cutOff;    // as parseBreak() takes it
+  std::string stop;      // as parseStop() takes it
   std::vector<std::string> compare;  // two topologies; empty: not wanted
 };
 
@@ -57,9 +57,9 @@ struct KnotPlacing {
 
 /// Is the topology's deployment file with the run's rate, lane, stop, manager and keys, written
 /// into the run's folder. The rate is that of each task whose period the topology's file states as
-/// 1 ms; one with a shorter period, such as drives, runs faster in proportion. All others keep
-/// theirs. For a user without real-time priorities, and while another demo has them, drives accept
-/// an older permit of the emergency stop.
+/// 1 ms; one with a shorter period, such as an arm or its drives, runs faster in proportion. All
+/// others keep theirs. For a user without real-time priorities, and while another demo has them,
+/// drives accept an older permit of the emergency stop.
 class Plan {
  public:
   /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it
