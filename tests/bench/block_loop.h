@@ -1,6 +1,6 @@
 #pragma once
-// The contracts of `suture-bench network --part sizes`: the same bytes in types with little and
-// with much room.
+// These are the contracts of `suture-bench network --part sizes`: they carry the same bytes in
+// types with little and with much room.
 
 #include <suture/annotate.h>
 

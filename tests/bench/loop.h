@@ -1,6 +1,6 @@
 #pragma once
-// The contract of the paper's two loops (its section 4): from a server to its client and back, and
-// from a client to its server and back.
+// This is the contract of the paper's two loops (its section 4): from a server to its client and
+// back, and from a client to its server and back.
 
 #include <suture/annotate.h>
 

@@ -1,5 +1,6 @@
 #pragma once
-// The contract of `suture-bench local`: every kind of traffic with the 120-byte pose.
+// This is the contract of `suture-bench local`: it has every kind of traffic with the 120-byte
+// pose.
 
 #include <suture/annotate.h>
 

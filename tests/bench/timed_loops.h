@@ -1,5 +1,5 @@
 #pragma once
-// Costs too small for a clock: the mean over a loop, many times.
+// These measure costs that are too small for a clock, as the mean over a loop, many times.
 
 #include <cstddef>
 #include <ctime>

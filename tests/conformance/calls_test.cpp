@@ -1,4 +1,4 @@
-// Calls that are taken back, and calls that say themselves when they have ended.
+// Calls are taken back, and calls say themselves when they have ended.
 #include <optional>
 
 #include "conformance/setup.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The components of the library.
+// These are the components of the library.
 
 #include <suture/component/task/event_task.h>
 #include <suture/component/task/periodic_task.h>

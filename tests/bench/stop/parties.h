@@ -1,6 +1,6 @@
 #pragma once
-// The parties of a system with an emergency stop: a desk, two pairs of arms, an endoscope, and who
-// presses.
+// These are the parties of a system with an emergency stop: a desk, two pairs of arms, an
+// endoscope, and a person who presses.
 
 #include <suture/component/device.h>
 #include <suture/manager/manager.h>

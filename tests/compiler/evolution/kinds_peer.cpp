@@ -1,4 +1,5 @@
-// One version of a program of which two processes talk to each other, about every kind of type:
+// This is one version of a program of which two processes talk to each other, about every kind of
+// type:
 //   kinds_peer serve ADDRESS  provides Kinds until its standard input ends
 //   kinds_peer ask ADDRESS    uses the Kinds of the other process
 // Each prints a line for every member that it gets: where it came from, its name, its value.

@@ -1,4 +1,4 @@
-// One version of a program of which two processes talk to each other:
+// This is one version of a program of which two processes talk to each other:
 //   peer serve ADDRESS  provides Feed until its standard input ends, and prints what it gets
 //   peer ask ADDRESS LANE  uses the Feed of the other process by that lane, and prints what it gets
 

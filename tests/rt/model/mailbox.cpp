@@ -1,5 +1,5 @@
-// The mailbox: what runs, runs in the order of sending, whichever of ring and cells it travelled
-// in; nothing queued is lost; "full" is the truth.
+// The mailbox keeps its promises: what runs, runs in the order of sending, whichever of ring and
+// cells it travelled in; nothing queued is lost; "full" is the truth.
 #include <suture/rt/queue/mailbox.h>
 
 #include "rt/model/scenarios.h"

@@ -1,4 +1,4 @@
-// Simulated joints: the declared lag, rates and limits are what the data show.
+// Simulated joints keep their word: the declared lag, rates and limits are what the data show.
 
 #include "drives/joint_dynamics.h"
 

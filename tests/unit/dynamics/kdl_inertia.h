@@ -1,5 +1,5 @@
 #pragma once
-// KDL's chains with the same rigid bodies as ours: an independent oracle.
+// KDL's chains have the same rigid bodies as ours, and are an independent oracle.
 
 #include <kdl/chaindynparam.hpp>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// Hand-made models for the tests of lock and emit: no clang, no headers to parse.
+// These are hand-made models for the tests of lock and emit: no clang, no headers to parse.
 
 #include <initializer_list>
 #include <string>

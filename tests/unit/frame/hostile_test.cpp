@@ -1,4 +1,4 @@
-// Frames that are whole and undamaged, and say what they like: a channel is all that they reach.
+// Frames that are whole and undamaged may say what they like: a channel is all that they reach.
 #include <gtest/gtest.h>
 #include <suture/lane/frame/link.h>
 

@@ -1,4 +1,4 @@
-// Inverse kinematics: undoes the forward one, stays within limits, and says when it cannot.
+// Inverse kinematics undoes the forward one, stays within limits, and says when it cannot.
 
 #include "kinematics/inverse.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A contract whose values are larger than many a thread's stack.
+// This is a contract whose values are larger than the stack of many a thread.
 
 #include <suture/annotate.h>
 

@@ -1,4 +1,4 @@
-// Capnp itself accepts the schema that update() writes.
+// capnp itself accepts the schema that update() writes.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

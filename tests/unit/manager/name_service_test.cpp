@@ -1,4 +1,4 @@
-// The global manager's capabilities on a clock of the test.
+// The global manager's capabilities work on a clock of the test.
 
 #include <gtest/gtest.h>
 #include <suture/names/manager_session.h>

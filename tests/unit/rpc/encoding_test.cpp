@@ -1,4 +1,4 @@
-// Values as bytes: what encode() and decode() promise of each value and of any bytes.
+// encode() and decode() keep what they promise of each value and of any bytes.
 
 #include <suture/loop/kj_comparisons.h>  // first
 

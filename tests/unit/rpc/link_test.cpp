@@ -1,4 +1,4 @@
-// Links between a server and its peers: calls, failures, limits.
+// Links between a server and its peers carry calls, have failures, and keep limits.
 
 #include <gtest/gtest.h>
 #include <suture/framing/link_server.h>

@@ -1,4 +1,4 @@
-// Where a server listens, and what it does when the kernel refuses.
+// A server listens where it is told, and goes on when the kernel refuses.
 
 #include <gtest/gtest.h>
 #include <suture/net/listener.h>

@@ -1,4 +1,4 @@
-// What a client costs by the second sockets that it opens is bounded.
+// The second sockets that a client opens have a bounded cost.
 
 #include <gtest/gtest.h>
 #include <suture/loop/failure.h>

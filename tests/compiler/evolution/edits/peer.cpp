@@ -1,5 +1,5 @@
-// One version of a program of which two processes talk to each other, about every edit of the
-// table:
+// This is one version of a program of which two processes talk to each other, about every edit of
+// the table:
 //   edits_peer serve ADDRESS  provides all contracts until its standard input ends
 //   edits_peer ask ADDRESS LANE  uses those of the other process, and prints why others cannot be
 //   used

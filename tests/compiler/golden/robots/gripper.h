@@ -1,5 +1,5 @@
 #pragma once
-// A contract that derives from one of another header.
+// This is a contract that derives from one of another header.
 
 #include <suture/annotate.h>
 

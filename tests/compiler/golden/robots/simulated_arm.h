@@ -1,5 +1,5 @@
 #pragma once
-// A component with parameters.
+// This is a component with parameters.
 
 #include <suture/annotate.h>
 #include <suture/component/task/periodic_task.h>

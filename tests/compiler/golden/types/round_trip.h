@@ -1,5 +1,5 @@
 #pragma once
-// C++ -> slot -> message -> slot -> C++ for any of the types under test.
+// These take C++ -> slot -> message -> slot -> C++ for any of the types under test.
 
 #include <capnp/message.h>
 #include <capnp/serialize.h>

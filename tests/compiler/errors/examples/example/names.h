@@ -1,6 +1,6 @@
 #pragma once
-// What the examples of docs/diagnostics name and do not declare. An example that declares one of
-// these names hides it.
+// The examples of docs/diagnostics name these and do not declare them. An example that declares one
+// of these names hides it.
 #include <suture/annotate.h>
 #include <suture/base/time.h>
 #include <suture/component/component.h>

@@ -1,5 +1,5 @@
 #pragma once
-// What was shipped first of everything that has parts: variants, and names that changed.
+// This was shipped first of everything that has parts: variants, and names that changed.
 
 #include <suture/annotate.h>
 

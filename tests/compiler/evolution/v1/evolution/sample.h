@@ -1,5 +1,5 @@
 #pragma once
-// What was shipped first.
+// These types were shipped first.
 
 #include <suture/annotate.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What came after it.
+// These types came after those of v1.
 
 #include <suture/annotate.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What came after it: each edit that the lock allows.
+// These types came after those of v1: they have each edit that the lock allows.
 
 #include <suture/annotate.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers that travel as one block of bytes.
+// These numbers travel as one block of bytes.
 
 #include <suture/annotate.h>
 

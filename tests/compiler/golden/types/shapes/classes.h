@@ -1,5 +1,5 @@
 #pragma once
-// Classes that are more than plain structs: derived, templates, private, opaque, recursive.
+// These classes are more than plain structs: derived, templates, private, opaque, recursive.
 
 #include <suture/annotate.h>
 

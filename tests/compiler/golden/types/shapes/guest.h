@@ -1,5 +1,5 @@
 #pragma once
-// A component made from parameters that somebody else declared.
+// This component is made from parameters that somebody else declared.
 
 #include <suture/annotate.h>
 #include <suture/component/device.h>

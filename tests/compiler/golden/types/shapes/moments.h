@@ -1,5 +1,5 @@
 #pragma once
-// Points in time of a steady clock, wherever a type can hold them.
+// These are points in time of a steady clock, wherever a type can hold them.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>

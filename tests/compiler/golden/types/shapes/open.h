@@ -1,5 +1,5 @@
 #pragma once
-// What has no bounds: for devices.
+// These types have no bounds: they are for devices.
 
 #include <suture/annotate.h>
 

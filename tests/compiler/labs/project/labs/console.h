@@ -1,6 +1,6 @@
 #pragma once
-// The console of a telesurgical robot, as the kind of nested configuration that grows in a lab:
-// structs in structs, several namespaces, optionals, maps.
+// This is the console of a telesurgical robot, as the kind of nested configuration that grows in a
+// lab: structs in structs, several namespaces, optionals, maps.
 
 #include <suture/annotate.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Messages of MAVLink: packed structs and enums of C, none of which lies in a namespace.
+// These are messages of MAVLink: packed structs and enums of C, none of which lies in a namespace.
 
 #include <suture/annotate.h>
 

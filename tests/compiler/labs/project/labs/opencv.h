@@ -1,5 +1,5 @@
 #pragma once
-// Types of OpenCV that derive from its matrices, or hold one another.
+// These types of OpenCV derive from its matrices, or hold one another.
 
 #include <suture/annotate.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Topics of PX4: plain structs with constants, and bytes that only its logger wants.
+// These are topics of PX4: plain structs with constants, and bytes that only its logger wants.
 
 #include <suture/annotate.h>
 

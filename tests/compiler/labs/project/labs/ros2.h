@@ -1,5 +1,5 @@
 #pragma once
-// Messages of ROS 2. Its own aliases name the instances of its templates.
+// These are messages of ROS 2. Its own aliases name the instances of its templates.
 
 #include <suture/annotate.h>
 
