@@ -11,8 +11,8 @@
 namespace suture::compiler::check {
 namespace {
 
-/// These namespaces of the runtime are seen where generated code specialises the runtime's
-/// templates, and hide those of that name outside.
+/// Generated code specialises the runtime's templates inside namespace suture. There these
+/// namespaces of the runtime hide outer ones of the same name.
 constexpr std::array<std::string_view, 2> kOfRuntime{"rpc", "rt"};
 
 bool isOfName(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }

@@ -1,5 +1,5 @@
 # suture_generate(TARGET t HEADERS h... [BASE_DIR d] [LOCK_DIR d] [LOCK_PATH d...] [DEPENDS t...] [INSTALL_DIR d]
-#                 [LOADABLE])
+#                 [LOADABLE] [RUNTIME t])
 #
 # Adds to target t the code that carries what its annotated headers declare. Users of t include
 # "X.suture.h" for each header X.h.
@@ -10,22 +10,22 @@
 #   LOCK_DIR   folder of the locked schemas, committed. Default: <project>/schemas
 #   LOCK_PATH  lock folders of other projects in this build whose headers these include. The lock of an
 #              installed header is found beside it
-#   DEPENDS    what must be built before these headers can be read, since a build step writes a header that they include, themselves
-#              or through others: targets that stand before this call, or files
+#   DEPENDS    targets that exist before this call, or files, that must be built before suturec can read these headers: a build step
+#              writes a header that they include, directly or not
 #   INSTALL_DIR  include root below the install prefix, say "include": install() then puts there what other
 #              projects need of these headers, and whoever imports t finds it
 #   LOADABLE   deployments may name t, a shared library, and create its components by class name: t gets the
 #              entry point suture_components() of suture/component/factory/component_library.h
-#   RUNTIME    what to link instead of all of the runtime: for contracts that the runtime itself links
+#   RUNTIME    target to link instead of the whole runtime, for contracts that the runtime itself links
 #
-# SUTUREC_EXECUTABLE, set before, is the suturec to run where that of the package is for another machine.
+# Set SUTUREC_EXECUTABLE before to the suturec to run, where that of the package is for another machine.
 # A header that declares more than SUTURE_DECLARATIONS_PER_SOURCE types, commands and events (150 if it is not set) gives several sources.
 # With suturec at hand it runs at build time: once per change of anything the headers read, and it
 # rewrites only files whose text changes. Without it, what is committed in <project>/generated is compiled.
 # suturec sees the macros and include paths of t: its definitions and include directories, and -D, -U, -I, -isystem, -iquote, -idirafter,
 # -include and -imacros of its options, of CMAKE_CXX_FLAGS and of the configuration's flags. It does not see precompiled headers.
-# The targets update-lock, accept-break and update-generated serve all; a project that has a folder generated/ when CMake runs gets the
-# test check-generated.
+# The targets update-lock, accept-break and update-generated serve all calls; a project that has a folder generated/ when CMake runs gets
+# the test check-generated.
 
 include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_checks.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_parts.cmake)
@@ -85,7 +85,7 @@ function(suture_generate)
   if(arg_INSTALL_DIR)
     target_include_directories(${arg_TARGET} INTERFACE $<INSTALL_INTERFACE:${arg_INSTALL_DIR}>)
   endif()
-  # Capnp's output is no interface of the target: generated code alone includes it.
+  # Only generated code includes Capnp's output, so that users of the target do not see it.
   target_include_directories(${arg_TARGET} SYSTEM PRIVATE "${wire}")
   if(NOT arg_RUNTIME)
     set(arg_RUNTIME suture::suture)

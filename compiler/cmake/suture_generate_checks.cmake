@@ -1,4 +1,4 @@
-# These functions refuse what suture_generate() cannot do, each with what to do instead.
+# These functions check the arguments of suture_generate(). A refusal says what to do instead.
 
 function(suture_default variable value)
   if(NOT ${variable})
@@ -77,7 +77,7 @@ function(suture_check_target target)
   set_property(GLOBAL PROPERTY SUTURE_GENERATE_${target} TRUE)
 endfunction()
 
-# The entry point of another kind of target would be found by nobody.
+# Deployments load shared libraries only, so that nobody would find the entry point of another target.
 function(suture_check_loadable target)
   get_target_property(type ${target} TYPE)
   if(NOT type MATCHES "^(SHARED|MODULE)_LIBRARY$")

@@ -1,6 +1,6 @@
 # cmake -DSUTUREC=program -DRSP=file -DOUTPUTS=list -DWRITTEN=file -P write_missing.cmake
 #
-# Ends the run of suturec before it: its files are there, unless someone has removed one since.
+# This runs suturec again if someone has removed one of its files since it ran.
 
 cmake_minimum_required(VERSION 3.25)
 foreach(output IN LISTS OUTPUTS)

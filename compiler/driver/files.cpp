@@ -41,7 +41,7 @@ void NewFiles::add(const fs::path& path, const std::string& text) {
   std::ofstream file(files_.back().temporary, std::ios::binary | std::ios::trunc);
   file << text;
   file.close();
-  // Refuse a folder here: place() would find it only after other files have taken their places.
+  // A folder is refused here, since place() would find it only after other files are in place.
   if (!file || fs::is_directory(path)) {
     throw std::runtime_error("cannot write '" + path.string() + "'");
   }

@@ -13,18 +13,18 @@ struct Options {
   std::string targetName = "headers";
   std::string baseDirectory = ".";
   std::string outputDirectory;
-  std::map<std::string, unsigned> sources;  ///< by a big header's path, files of each kind
+  std::map<std::string, unsigned> sources;  ///< files of each kind, by the path of a big header
   std::vector<std::string>
       lockDirectories;            ///< the first is the target's own, and written by --update-lock
   std::string depfile, stamp;     ///< "" = none
-  std::string componentsFile;     ///< the entry point's, below outputDirectory; "" = none
+  std::string componentsFile;     ///< where the entry point goes, below outputDirectory; "" = none
   std::string resourceDirectory;  ///< "" = look for it
   std::string project = "suture";
   std::string lockCommand = "suturec --update-lock";
   std::string breakCommand = "suturec --update-lock --accept-break";
   bool updateLock = false;
   bool acceptBreak = false;
-  std::vector<std::string> newIds;         ///< names that get one, with updateLock
+  std::vector<std::string> newIds;         ///< names that get a new id, with updateLock
   std::string explain;                     ///< the slug to explain; "" = none
   bool listOutputs = false;                ///< print the endings of generated files, and end
   bool fix = false;                        ///< apply fix-its instead of generating
@@ -39,7 +39,8 @@ struct Parsed {
   int exitStatus = 0;
 };
 
-/// `arguments` without the program's name. An "@file" among them stands for the file's lines.
+/// Takes the arguments without the program's name. An "@file" among them stands for the lines of
+/// that file.
 Parsed parseOptions(const std::vector<std::string>& arguments);
 
 }  // namespace suture::compiler::driver

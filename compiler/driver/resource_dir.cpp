@@ -21,8 +21,8 @@ std::string resourceDirectory(const std::string& asked) {
     if (fs::exists(candidate / "include/stddef.h", ignored)) return candidate.string();
     tried += "\n  " + candidate.string();
   }
-  throw std::runtime_error("clang's own headers (include/stddef.h) are not in" + tried +
-                           "\ninstall libclang-common-19-dev, or pass --resource-dir");
+  throw std::runtime_error("clang's own headers (include/stddef.h) are in none of these folders:" +
+                           tried + "\ninstall libclang-common-19-dev, or pass --resource-dir");
 }
 
 }  // namespace suture::compiler::driver

@@ -40,7 +40,7 @@ void checkHeaders(const Options& options) {
   }
 }
 
-/// Refuses an own header that declares nothing, since it was not meant to be here.
+/// Refuses a header of the target that declares nothing, since it is there by mistake.
 void checkDeclarations(const model::Model& model) {
   for (const model::Header& header : model.headers) {
     const bool empty = header.enums.empty() && header.structs.empty() &&
@@ -79,7 +79,7 @@ std::vector<model::Artefact> lockTexts(const model::Model& model, const Options&
   return texts;
 }
 
-/// Returns the other locks in the folders that have one of these C++ names, in the order of their
+/// Returns the locks of other headers that have one of these C++ names, in the order of their
 /// paths.
 std::vector<model::Artefact> otherLockTexts(const std::vector<std::string>& names,
                                             const lock::Locks& locks, const Options& options) {

@@ -1,12 +1,13 @@
 #pragma once
-// This finds for "did you mean" the name that is spelled most like another.
+// This finds the name to suggest in "did you mean", which is spelled most like the one given.
 
 #include <span>
 #include <string_view>
 
 namespace suture::compiler::model {
 
-/// Returns the nearest of `known`, which must not be empty, by the number of letters to change.
+/// Returns the one of `known`, which must not be empty, that `name` becomes by the fewest changed
+/// letters.
 std::string_view nearest(std::string_view name, std::span<const std::string_view> known);
 
 }  // namespace suture::compiler::model

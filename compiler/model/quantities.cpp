@@ -5,7 +5,7 @@ namespace {
 
 using Shape = Type::Shape;
 
-/// Returns what a container holds, or null if the type is none.
+/// Returns the type of what a container holds; null if the type is no container.
 const Type* contentOf(const Type& type) {
   switch (type.shape) {
     case Shape::Array:

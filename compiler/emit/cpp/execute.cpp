@@ -6,8 +6,8 @@
 namespace suture::compiler::emit {
 namespace {
 
-/// Returns "implementation.servo_cp(scratch.servo_cp_goal)". Another method of that name might suit
-/// as well, so that one which has any is called by its pointer.
+/// Returns "implementation.servo_cp(scratch.servo_cp_goal)". A command that shares its name with
+/// other member functions is called by its pointer, since C++ might choose another of them.
 std::string call(const model::Interface& interface, const model::Command& command) {
   std::string arguments;
   for (const model::Parameter& parameter : command.parameters) {

@@ -13,13 +13,13 @@ using Shape = Type::Shape;
 // Below this size it costs more to tell what is used than to copy all of it.
 constexpr std::uint64_t kSmall = 256;
 
-/// Finds the levels that lie in no other. Those in arrays and variants travel whole: their number
-/// has no bound, and what lies there depends on the value.
+/// Finds the levels that lie in no other, and in no array or variant: an array has one for each
+/// element, and what a variant holds depends on the value. Those are copied whole.
 class Levels {
  public:
   Levels(std::string slot, const Context& context) : slot_(std::move(slot)), context_(context) {}
 
-  /// Adds what `path`, the members that lead to the value, holds; it is "" for the slot itself.
+  /// Adds the levels of the value that the members of `path` lead to; "" leads to the slot itself.
   void find(const Type& type, const std::string& path) {
     if (model::flatSize(type, context_.lookup) <= kSmall) return;
     switch (type.shape) {

@@ -1,5 +1,6 @@
 #pragma once
-// Emits which parts of a slot need not be copied: large lists, texts and matrices are seldom full.
+// This emits which parts of a slot need not be copied, since large lists, texts and matrices are
+// seldom full.
 
 #include <string>
 #include <vector>

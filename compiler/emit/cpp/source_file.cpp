@@ -18,7 +18,7 @@ bool isInfinite(const std::optional<std::pair<double, double>>& range) {
   return range && (std::isinf(range->first) || std::isinf(range->second));
 }
 
-/// True if a bound that some value of the header has is a constant of <limits>.
+/// Tells if a bound of some value in the header is written as a constant of <limits>.
 bool namesLimits(const Context& context) {
   const model::Header& header = context.header;
   const auto any = [](const auto& all, const auto& isIt) {

@@ -1,6 +1,6 @@
 #pragma once
-// Emits the functions that turn the steady stamps in a slot into the receiver's, since a point in
-// time of a steady clock means another thing in each process.
+// These emit the functions that turn the stamps in a slot from the sender's steady clock to the
+// receiver's, since each machine has its own.
 
 #include <string>
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace suture::compiler::emit {
 
-/// Returns true if a slot of a fixed size has any. A slot that owns memory is never received as
-/// bytes.
+/// Tells if a slot of a fixed size has stamps. A slot that owns memory has none to shift, since it
+/// is never received as bytes.
 bool hasStamps(const model::Type& type, const model::Lookup& lookup);
 bool hasStamps(const std::vector<WireValue>& values, const model::Lookup& lookup);
 
@@ -23,7 +23,7 @@ void declareShift(Code& code, const std::vector<WireValue>& values, const std::s
 void emitShift(Code& code, const std::vector<WireValue>& values, const std::string& slot,
                const Context& context);
 
-/// Returns how shiftSlot() is spelled for such a struct; "" where there are no stamps.
+/// Returns "suture::shiftSlot<PoseStampedSlot>" for such a struct; "" where there are no stamps.
 std::string shiftOf(const std::string& slot, const std::vector<WireValue>& values,
                     const Context& context);
 /// Does the same for a single value, which needs a function called `name` unless it is a struct.

@@ -32,7 +32,7 @@ std::string lambda(const std::string& parameter, const std::string& result) {
   return capture + "(" + parameter + ") {" + lambdaBody("return " + result + ";") + "}";
 }
 
-/// `path` is null where C++ does not count the elements of such a type by one number in brackets.
+/// `path` is "nullptr" for a type whose elements have no single index in C++.
 std::string allOf(const std::string& slot, const std::string& path, const std::string& parameter,
                   const std::string& each) {
   return "suture::allOf(" + slot + ", " + path + ", " + kBreak + lambda(parameter, each) + ")";
@@ -49,7 +49,7 @@ std::string coefficientsCondition(const Type& type, const std::string& slot, con
                within(item, range, 1));
 }
 
-/// Returns the lowest and the highest value of an integer.
+/// Returns the lowest and the highest value of an integer, as near as a double comes to them.
 std::pair<double, double> limitsOf(model::Scalar scalar) {
   const auto ofSigned = [](double half) { return std::pair{-half, half - 1}; };
   switch (scalar) {
@@ -64,7 +64,7 @@ std::pair<double, double> limitsOf(model::Scalar scalar) {
   }
 }
 
-/// Returns true if anything in the type has to be looked at.
+/// Tells if the runtime's isValid() has anything to check in the type.
 bool isChecked(const Type& type) {
   switch (type.shape) {
     case Shape::Scalar:
@@ -92,9 +92,9 @@ Range countedNanoseconds(const Type& type) {
   return std::pair{lowest * tick, highest * tick};
 }
 
-/// Tells if the slot of the type, or of what is in it, is a number that may be none of the C++
-/// type: the enum does not declare it, or the duration does not count so far. The slot's own check
-/// does not know that.
+/// Tells if a slot, of the type or of a type in it, can hold a number that the C++ type does not
+/// have, which the runtime's isValid() cannot know: the enum does not declare it, or the duration
+/// cannot count so far.
 bool isNarrower(const Type& type) {
   return type.shape == Shape::Enum || countedNanoseconds(type).has_value() ||
          std::any_of(type.element.begin(), type.element.end(), isNarrower);
@@ -120,7 +120,7 @@ std::string mapCondition(const Type& type, const std::string& slot, const Range&
                key + (key.empty() || value.empty() ? "" : " && ") + value);
 }
 
-/// Returns what can be called with a slot of the type and tells if that may be acted on.
+/// Returns the C++ of a function that tells if a slot of the type is valid.
 std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   if (type.shape == Shape::Enum) return enumCheck(type.name, context);
   if (!isNarrower(type)) return "suture::Valid{path}";
@@ -129,7 +129,7 @@ std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   return lambda("const " + itemType + "& " + item, condition(type, item, {}, context, depth + 1));
 }
 
-/// Gives a tuple or a variant one check for each thing that is, or may be, in it.
+/// Returns the condition of a tuple or a variant, with a check for each of its types.
 std::string eachCondition(const char* function, const Type& type, const std::string& slot,
                           const Context& context, unsigned depth) {
   if (!isNarrower(type)) return wholeCondition(type, slot);
@@ -140,7 +140,8 @@ std::string eachCondition(const char* function, const Type& type, const std::str
   return function + ("(" + slot) + ", path" + checks + ")";
 }
 
-/// Returns the condition of a number of seconds, whose slot holds its count or nanoseconds.
+/// Returns the condition of a duration. Its range is in seconds; its slot holds the count if that
+/// is real, and else nanoseconds.
 std::string durationCondition(const Type& type, const std::string& slot, const Range& range) {
   if (const Range counted = countedNanoseconds(type)) return within(slot, counted, 1);
   if (!range) return isChecked(type) ? "isValid(" + slot + ")" : "";

@@ -48,7 +48,7 @@ Json anyMatrixOf(const Type& type) {
   return json;
 }
 
-/// Describes a type that holds one thing or another, or some of each.
+/// Describes an optional, a tuple, a variant, a map or a matrix whose size is open.
 Json compositeOf(const Type& type) {
   switch (type.shape) {
     case Shape::Optional: return {{"kind", "optional"}, {"element", typeOf(type.element[0])}};
@@ -97,14 +97,14 @@ Json typeOf(const Type& type) {
   return compositeOf(type);
 }
 
-/// Describes the type, and says that the numbers of bulk() are one block of bytes on the wire.
+/// Describes the type, and says if its numbers are one block of bytes on the wire by bulk().
 Json wireTypeOf(const Type& type) {
   Json json = typeOf(type);
   if (type.bulk) json["bulk"] = true;
   return json;
 }
 
-/// Adds its place among its like on the wire, which peers compare when they connect.
+/// Adds the number of a command or an event on the wire, which peers compare when they connect.
 void addOrdinal(Json& json, const std::optional<unsigned>& ordinal) {
   if (ordinal) json["ordinal"] = *ordinal;
 }
@@ -113,7 +113,7 @@ void addDoc(Json& json, const model::Documentation& doc) {
   if (!doc.text.empty()) json["doc"] = doc.text;
 }
 
-// JSON has no words for infinity.
+// JSON has no number for infinity, so that it becomes a text.
 Json realJson(double value) {
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   return value;
@@ -130,7 +130,7 @@ void addLifecycle(Json& json, const model::Lifecycle& lifecycle) {
   if (!lifecycle.deprecated.empty()) json["deprecated"] = lifecycle.deprecated;
 }
 
-/// Adds what the schema calls it, where that is not its name.
+/// Adds the name that the schema gives it, where that is another.
 void addWireName(Json& json, const std::string& name, const std::string& wireName) {
   if (name != wireName) json["wire"] = wireName;
 }
@@ -238,7 +238,8 @@ Json eventOf(const model::Event& event) {
   return json;
 }
 
-/// Adds the number by which a subscription asks for each, where that is not its place.
+/// Adds the number by which a subscription asks for each event. `numbers` is empty if these are the
+/// places of the events.
 void addNumbers(Json& events, const std::vector<unsigned>& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i) events[i]["number"] = numbers[i];
 }

@@ -14,7 +14,7 @@ namespace {
 using model::Type;
 using Shape = Type::Shape;
 
-/// Returns "int32", "double": the name is as short as it can be.
+/// Returns the C++ type without "std::" and "_t", in code: "int32" or "double".
 std::string scalarWords(model::Scalar scalar) {
   if (scalar == model::Scalar::Float64) return "`double`";
   if (scalar == model::Scalar::Float32) return "`float`";
@@ -23,7 +23,7 @@ std::string scalarWords(model::Scalar scalar) {
   return inCode(name);
 }
 
-/// Sets a part that consists of several words apart.
+/// Puts brackets around a part that has a comma in it.
 std::string part(const std::string& words) {
   return words.find(", ") == std::string::npos ? words : "(" + words + ")";
 }
@@ -51,16 +51,16 @@ std::string anyMatrix(const Type& type) {
 }
 
 std::string duration(const Type& type) {
-  static const std::map<std::pair<std::int64_t, std::int64_t>, const char*> kTicks{
+  static const std::map<std::pair<std::int64_t, std::int64_t>, const char*> kPeriods{
       {{1, 1}, "s"},    {{1, 1'000}, "ms"}, {{1, 1'000'000}, "us"}, {{1, 1'000'000'000}, "ns"},
       {{60, 1}, "min"}, {{3600, 1}, "h"}};
-  const auto known = kTicks.find({type.periodNumerator, type.periodDenominator});
-  if (known != kTicks.end()) return std::string("duration in ") + known->second;
+  const auto known = kPeriods.find({type.periodNumerator, type.periodDenominator});
+  if (known != kPeriods.end()) return std::string("duration in ") + known->second;
   return "duration in " + std::to_string(type.periodNumerator) + "/" +
          std::to_string(type.periodDenominator) + " s";
 }
 
-/// Says an initialiser as a C++ programmer would.
+/// Returns the initialiser as the header has it, from its JSON.
 std::string defaultWords(const model::Field& field) {
   const std::string& json = field.defaultJson;
   if (json.empty()) return "";
@@ -107,7 +107,7 @@ std::string PageTypes::words(const Type& type) const {
   }
 }
 
-/// Returns how a member is declared where its words do not say it: "" for `double` and Pose.
+/// Returns the C++ type of a member; "" for `double` or Pose, whose words say it already.
 std::string PageTypes::cxxWords(const Type& type) const {
   if (type.shape == Shape::Scalar || type.shape == Shape::Enum || type.shape == Shape::Struct)
     return "";

@@ -12,7 +12,7 @@ constexpr std::size_t kStep = 2;
 
 bool isMark(char c) { return c == kBreak || c == kBody || c == kBodyEnd; }
 
-/// Puts the text on one line, with a blank at either side of a body.
+/// Returns the text on one line, with a blank at either side of a body.
 std::string onOneLine(std::string_view text) {
   std::string line;
   for (const char c : text) {
@@ -144,7 +144,7 @@ Code& Code::verbatim(std::string_view text) {
 Code& Code::doc(std::string_view text) {
   std::istringstream lines{std::string(text)};
   for (std::string one; std::getline(lines, one);) {
-    if (one.ends_with('\\')) one += " .";  // else the next line were part of the comment
+    if (one.ends_with('\\')) one += " .";  // else the next line would belong to the comment
     text_ += std::string(depth_ * kStep, ' ') + (one.empty() ? "///" : "/// " + one) + '\n';
   }
   return *this;
