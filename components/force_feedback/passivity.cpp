@@ -11,7 +11,7 @@ Eigen::Vector3d damped(const Eigen::Vector3d& force, const Eigen::Vector3d& velo
     const double left = energy[i] - force[i] * velocity[i] * dt;  // J, after this cycle
     if (left >= 0 || velocity[i] == 0) continue;
     const double lacking = -left / (velocity[i] * velocity[i] * dt);
-    // Pushing less than the feedback would is safe, however much damping that is.
+    // Damping that only takes away what the feedback pushes is safe, however strong it is.
     const double pushing = std::max(force[i] / velocity[i], 0.0);
     result[i] -= std::min(lacking, pushing + most) * velocity[i];
   }

@@ -15,18 +15,19 @@ Vector3d across(const Vector3d& axis, const Vector3d& vector) {
   return vector - vector.dot(axis) * axis;
 }
 
-// Returns the unit vector across `axis` toward `wanted`; if that leads along the axis, toward
-// `otherwise`, and else anywhere.
+// Returns the unit vector across `axis` toward `wanted`; toward `otherwise` if `wanted` lies along
+// the axis, and any unit vector across it if both do.
 Vector3d directionAcross(const Vector3d& axis, const Vector3d& wanted, const Vector3d& otherwise) {
   Vector3d direction = across(axis, wanted);
   if (direction.norm() <= kOpenLength) direction = across(axis, otherwise);
   if (direction.norm() <= kOpenLength) return axis.unitOrthogonal();
-  // The rest of a long vector is across only to its rounding error, which may be much of it.
+  // The part of a long vector that is across has a rounding error along the axis, which may be much
+  // of a short part.
   return across(axis, direction.normalized()).normalized();
 }
 
-// Is the instrument as the goal has it (base frame). The tip's frame has x against the axis of the
-// wrist yaw, and y against x of that joint's frame (davinci.cpp).
+// Has the instrument as the goal places it in the base. The tip's frame has x against the axis of
+// the wrist yaw, and y against x of that joint's frame (davinci.cpp).
 struct Instrument {
   Vector3d tip;
   Vector3d yawAxis;  // of the wrist
@@ -38,8 +39,8 @@ struct Instrument {
 
 // Is the link between the two axes of the wrist.
 struct Wrist {
-  Vector3d link;       // from the axis of the wrist pitch to the one of the wrist yaw, a unit
-  Vector3d pitchAxis;  // a unit across the link and the yaw axis
+  Vector3d link;       // unit vector from the axis of the wrist pitch to that of the wrist yaw
+  Vector3d pitchAxis;  // unit vector across the link and the yaw axis
   Vector3d centre;     // m, on the pitch axis, where the shaft ends
 };
 
@@ -47,8 +48,8 @@ Wrist wristAlong(const Vector3d& link, const Instrument& instrument) {
   return {link, link.cross(instrument.yawAxis), instrument.tip - kPsmWrist * link};
 }
 
-// Returns the joints for a wrist that is held by a shaft of this direction, a unit across its pitch
-// axis.
+// Returns the joints for a wrist that is held by a shaft in the direction of the unit vector
+// `shaft`, which is across the pitch axis.
 PsmJoints jointsFor(const Chain<6>& chain, const Instrument& instrument, const Wrist& wrist,
                     const Vector3d& shaft, const PsmJoints& start) {
   PsmJoints q = PsmJoints::Zero();

@@ -32,7 +32,7 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
   return cells;
 }
 
-/// Tells if `words` have the parts of "it is still ...", one behind the other.
+/// Tells if `words` have the parts of a pattern such as "it is still ...", in their order.
 bool hasParts(std::string_view words, std::string_view pattern) {
   constexpr std::string_view kAny = "...";
   while (!pattern.empty()) {
@@ -45,7 +45,7 @@ bool hasParts(std::string_view words, std::string_view pattern) {
   return true;
 }
 
-/// Returns that of the patterns of "`it is still ...` or `it is ...`" which `words` have, or "".
+/// Returns the first pattern of a cell "`it is still ...` or `it is ...`" that `words` have, or "".
 std::string_view patternIn(std::string_view cell, std::string_view words) {
   constexpr std::string_view kNext = "` or `";
   cell = cell.substr(1, cell.size() - 2);  // without the outer quotes
@@ -94,7 +94,7 @@ std::string explainError(const std::string& words) {
   for (const auto& [name, page] : errorPages()) {
     if (lettersOf(words) == lettersOf(name)) return std::string(page);
   }
-  // One text may be part of another, so that the longest is meant.
+  // The longest text is meant, since one may be part of another.
   std::string_view found, foundText;
   for (const auto& [name, page] : errorPages()) {
     const std::string_view text = textOf(page);
@@ -106,7 +106,7 @@ std::string explainError(const std::string& words) {
 }
 
 std::string whatToAsk(const std::string& message) {
-  if (message.ends_with('?')) return "";  // a guess at a name says what to do
+  if (message.ends_with('?')) return "";  // it says what to do: "Did you mean"
   const std::vector<Row> rows = rowsOf(message);
   if (rows.empty()) return "";
   std::string pattern(rows.front().pattern);

@@ -9,7 +9,7 @@
 namespace suture {
 namespace {
 
-// Only the client's thread counts what arrives there, so a read need not pay for an atomic
+// Only the client's thread counts what its reads copy, so no read has to pay for an atomic
 // addition.
 void countRead(Channel& channel, unsigned column) {
   if (!channel.foreign) return;
@@ -96,8 +96,8 @@ Sample<void> Reads::readRow(const Time* at, std::span<const std::uint16_t> comma
   return judgeAge(row.stamp);
 }
 
-// Looks at the clock when a row is first read, and then at every 16th read of it, because the clock
-// takes longer than the read itself.
+// Looks at the clock when a row is first read, and then at every 16th read of a row that was read
+// before, because the clock takes longer than the read itself.
 void Reads::noteRead(Time stamp) {
   if (stamp == lastRead_ && ++repeatedReads_ % 16 != 0) return;
   lastRead_ = stamp;

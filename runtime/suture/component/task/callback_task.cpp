@@ -32,8 +32,8 @@ void CallbackTask::restUntilTriggered() {
   }
 }
 
-// stop() says that it stops before it looks for a cycle under way, and all of this is in one order:
-// either it sees the end of this cycle, or it is rung.
+// stop() clears running_ before it looks for a cycle under way, and all of these accesses have one
+// order: either stop() sees that this cycle has ended, or this sees that it has to ring.
 void CallbackTask::endCycle() {
   cycling_.clear(std::memory_order_seq_cst);
   if (!running_.load(std::memory_order_seq_cst)) cycleEnded_.ring();

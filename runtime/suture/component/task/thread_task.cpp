@@ -74,7 +74,8 @@ void ThreadTask::awaitWork() {
   if (!ending() && !workPending()) sleepForWork(Time::max());
 }
 
-// While time is virtual every task looks again at times, which finds work that was not rung for.
+// While time is virtual every task also looks by itself from time to time, which finds work that
+// nobody has rung for.
 void ThreadTask::sleepForWork(Time due) {
   VirtualTime* const time = virtualTime();
   if (time != nullptr) due = std::min(due, now() + rt::Doorbell::kLookAgain);

@@ -1,5 +1,5 @@
 #pragma once
-// The connections of a deployment must fit the components of one of its processes.
+// This checks that the connections of a deployment fit the components of one of its processes.
 
 #include <suture/component/component.h>
 #include <suture/deploy/document/deployment.h>
@@ -10,9 +10,9 @@
 namespace suture {
 
 /// Looks at the ends that lie in `process`, whose `components` are in its order. So each process
-/// tells of its own end, also one that only provides and would wait for ever. Throws DocumentError
-/// for an interface that a connection names and its component does not have, and for a required one
-/// without a connection, whose task would silently do nothing.
+/// tells of its own ends, even one that only provides, which would wait for ever. Throws
+/// DocumentError for an interface that a connection names and its component does not have, and for
+/// a required one without a connection, whose task would silently do nothing.
 void checkConnections(const Deployment& deployment, const ProcessEntry& process,
                       std::span<const std::unique_ptr<Component>> components);
 
