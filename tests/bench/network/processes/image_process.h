@@ -16,9 +16,9 @@ inline constexpr int kLanePriority = 60;
 /// Adds the hidden subcommand that the process runs.
 void addImageProcess(CLI::App& program);
 
-/// The process "guide": "Commander" calls put() of "arm:Arm/Samples" each millisecond over `lane`,
-/// with the time of the call as the value's stamp; "guide:Camera/Images" has a new pair of images
-/// 15 times a second.
+/// Returns the command line of the process "guide". Its "Commander" calls put() of
+/// "arm:Arm/Samples" each millisecond over `lane`, with the time of the call as the value's stamp;
+/// "guide:Camera/Images" has a new pair of images 15 times a second.
 std::vector<std::string> imageProcessArguments(const std::string& managerAddress,
                                                suture::Lane lane);
 

@@ -1,5 +1,5 @@
 #pragma once
-// This client goes round and round with a block of bytes.
+// This client sends a block of bytes and gets it back, again and again.
 
 #include <suture/component/task/event_task.h>
 
@@ -31,7 +31,7 @@ class BlockClient final : public suture::EventTask {
     begun_ = true;
     send();
   }
-  /// Returns, once, what will have the ns of each round but the first `skipped`.
+  /// Call it once: returns the future of how many ns each round took, without the first `skipped`.
   std::future<Samples> samples() { return finished_.get_future(); }
 
   suture::Required<Contract> server{*this, "Server"};

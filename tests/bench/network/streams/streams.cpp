@@ -25,7 +25,8 @@ struct Stream {
   std::uint64_t lost;
 };
 
-/// Returns how many of `sent` commands have not been executed; the provider tells with a delay.
+/// Returns how many of `sent` commands have not been executed. It waits for those that have, since
+/// the provider tells with a delay.
 std::uint64_t lostOf(const suture::Channel& channel, std::uint64_t sent) {
   const auto executed = [&] {
     return channel.counts->heard(suture::ConnectionEnd::Client).executed;

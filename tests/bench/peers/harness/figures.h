@@ -6,7 +6,7 @@
 
 namespace peers {
 
-/// It prints figures by name as one line of JSON, which the report reads.
+/// Prints figures with their names as one line of JSON, which the report reads.
 class Figures {
  public:
   Figures& add(const std::string& name, double value);

@@ -2,7 +2,8 @@
 
 namespace peers {
 
-/// The compiler takes the value for read and written here, so it leaves out nothing that makes it.
+/// Makes the compiler assume that the value is read and changed here, so that it keeps all the code
+/// that computes the value.
 template <class T>
 void keep(T& value) {
   asm volatile("" : : "r"(&value) : "memory");

@@ -23,7 +23,7 @@ struct Blob {
   std::vector<double> data;
 };
 
-/// Makes `pose` the one of that number; its strings keep their memory.
+/// Gives `pose` the values that belong to `number`; its strings keep their memory.
 inline void fill(Pose& pose, std::uint64_t number) {
   const double angle = static_cast<double>(number % 1000) * 1e-3;
   const double cosine = 1 - angle * angle / 2;

@@ -1,4 +1,4 @@
-"""Tells what the figures depend on beside the peers themselves."""
+"""Tells what the figures depend on besides the peers themselves."""
 
 import datetime
 import os

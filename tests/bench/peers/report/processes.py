@@ -1,4 +1,4 @@
-"""Runs a peer once: a server or several, a client, and what has to run beside. All that is started is ended, by its pid."""
+"""Runs a peer once: one server or several, a client, and a companion if the peer needs one. Ends all that it starts, by pid."""
 
 import contextlib
 import json
@@ -8,10 +8,10 @@ import shutil
 import subprocess
 import tempfile
 
-LIMIT = 60  # s of a client: no measurement takes half of it
-GRACE = 3  # s in which what was told to end should
+LIMIT = 60  # s that a client may take; no measurement takes half of it
+GRACE = 3  # s that a process has to end once it is told to
 SHARED_MEMORY = pathlib.Path("/dev/shm")
-FIRST_PORT, PORTS, PORTS_OF_A_RUN = 20000, 12000, 400  # below those that the kernel gives
+FIRST_PORT, PORTS, PORTS_OF_A_RUN = 20000, 12000, 400  # below the ports that the kernel chooses from
 
 
 class Failure(Exception):
@@ -19,7 +19,7 @@ class Failure(Exception):
 
 
 class Runs:
-    """Gives each run a number, and by it paths and ports of its own."""
+    """Gives each run a number, and paths and ports of its own that follow from it."""
 
     def __init__(self, programs):
         self.programs = pathlib.Path(programs)
@@ -30,7 +30,7 @@ class Runs:
         self.count += 1
         program = self.programs / peer.program
         if not program.exists():
-            raise Failure("not built: its packages are missing, see packages.txt")
+            raise Failure("it is not built, since its packages are missing: see packages.txt")
         with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
             place = SHARED_MEMORY / f"peers.{os.getpid()}.{self.count}"
             stack.callback(remove, place)
@@ -63,7 +63,7 @@ class Run:
         try:
             client.wait(LIMIT)
         except subprocess.TimeoutExpired:
-            raise Failure(f"no end within {LIMIT} s") from None
+            raise Failure(f"its client did not end within {LIMIT} s") from None
         if client.returncode != 0:
             failed = [other for other in others if other.poll()]
             raise Failure(self.words(failed[0] if failed else client))
@@ -75,7 +75,7 @@ class Run:
         return self.launch([str(part) for part in command], f"{role}{arguments[1] if role == 'server' else ''}")
 
     def companions(self):
-        """Starts the one that the peer needs; the peer waits for it by its own means."""
+        """Starts the companion if the peer needs one, and does not wait until it is ready: the peer does that by its own means."""
         if not self.peer.companion:
             return []
         command = [part.format(place=self.place, port=self.port) for part in self.peer.companion]
@@ -102,7 +102,7 @@ class Run:
 
 
 def end(process):
-    """Tells it to end, and makes it if it does not."""
+    """Tells the process to end, and kills it if it does not."""
     if process.poll() is None:
         process.terminate()
         try:

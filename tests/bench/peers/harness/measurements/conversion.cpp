@@ -7,7 +7,7 @@ namespace peers {
 void measureConversion(Peer& peer, const Options& options) {
   Pose sent, back;
   fill(sent, 7);
-  const std::size_t bytes = peer.convert(sent, back);  // what it owns is allocated once
+  const std::size_t bytes = peer.convert(sent, back);  // allocates what later conversions use
   bool same = sent == back;
   const std::int64_t begin = now();
   for (long i = 0; i < options.count; ++i) {
