@@ -1,4 +1,4 @@
-"""These tests run ps, describe, doctor and why on processes that are well."""
+"""These tests run ps, describe, doctor and why."""
 
 import os
 import signal
@@ -14,11 +14,11 @@ class Inspect(System):
         super().setUp()
         self.start_manager()
 
-    def test_ps_without_processes(self):
+    def test_ps_says_that_no_process_is_known(self):
         self.assertEqual(self.said("ps"), f"No process is known to {self.address}.\n")
         self.assertEqual(self.told("ps"), [])
 
-    def test_ps(self):
+    def test_ps_shows_processes_and_their_interfaces(self):
         robot = self.start_robot()
         text = self.said("ps")
         self.assertIn(f"robot   pid {robot.pid}   host {os.uname().nodename}   unix:/", text)
@@ -31,7 +31,7 @@ class Inspect(System):
         self.assertEqual([one["contract"] for one in surgeon["required"]],
                          ["robots::Arm", "robots::Gripper", "robots::Names", "robots::Arm"])
 
-    def test_ps_of_a_process_that_stands_still(self):
+    def test_ps_tells_which_process_is_silent(self):
         robot = self.start_robot()
         self.assertNotIn("silent", self.said("ps"))
         self.stop(robot)
@@ -50,7 +50,7 @@ class Inspect(System):
         self.address = f"{living}.none,{living}.neither"
         self.assertIn(f"suture-manager --listen {living}.none", self.refused("ps"))
 
-    def test_describe_a_process_and_a_component(self):
+    def test_describe_shows_a_process_and_a_component(self):
         self.start_robot()
         self.assertIn("  Hand\n", self.said("describe", "robot"))
         self.assertIn("  Surgeon\n", self.said("describe", "robot"))
@@ -81,7 +81,7 @@ class Inspect(System):
                 self.assertGreaterEqual(told["age_ms"], -told["age_error_ms"])
                 self.assertLess(told["age_ms"], 60_000)
 
-    def test_describe_an_interface(self):
+    def test_describe_shows_an_interface(self):
         self.start_robot()
         text = self.said("describe", GRIPPER)
         for line in ("robot:Hand/Gripper, provided: robots::Gripper",
@@ -118,14 +118,14 @@ class Inspect(System):
         self.assertIn("  tls      skipped  not needed: a Unix socket does not leave this machine\n", text)
         self.assertIn("  schema   ok       robots::Gripper: 14 commands, 5 events\n", text)
 
-    def test_why_two_connect(self):
+    def test_why_says_that_two_connect(self):
         self.start_robot()
         self.start_robot("other")
-        for provider in ("robot", "other"):  # within a process, and across
+        for provider in ("robot", "other"):  # in the same process, and in another
             with self.subTest(provider=provider):
                 self.assertIn(f"robot:Surgeon/Gripper -> {provider}:Hand/Gripper: they connect\n",
                               self.said("why", "robot:Surgeon/Gripper", f"{provider}:Hand/Gripper"))
-                # An arm is wanted, and this gripper is one; in either order.
+                # They connect in either order: an arm is wanted, and this gripper is one.
                 told = self.told("why", f"{provider}:Hand/Gripper", "robot:Surgeon/Arm")
                 self.assertEqual((told["connects"], told["requires"], told["offers"], told["missing_commands"]),
                                  (True, "robots::Arm", "robots::Gripper", []))
@@ -142,14 +142,14 @@ class Inspect(System):
         self.assertIn("\n    it expects reference frame 'camera' and is offered 'wrist'\n", done.stdout)
         self.assertIn("Connect interfaces of the same frames, or correct what is declared of them.\n", done.stdout)
 
-    def test_why_two_do_not_connect(self):
+    def test_why_says_why_two_do_not_connect(self):
         self.start_robot()
         done = self.run_suture("why", "robot:Surgeon/Names", GRIPPER)
         self.assertEqual((done.returncode, done.stderr), (1, ""))
         self.assertTrue(done.stdout.endswith("they do not connect\n  requires robots::Names, is offered robots::Gripper\n"
                                              "Connect interfaces of the same contract.\n"), done.stdout)
 
-    def test_why_field_by_field(self):
+    def test_why_compares_field_by_field(self):
         self.start_robot()
         self.start_stranger("changed")
         done = self.run_suture("why", "robot:Surgeon/Arm", "changed:Odd/Arm")

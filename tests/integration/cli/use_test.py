@@ -1,4 +1,4 @@
-"""read, call and watch."""
+"""These tests run read, call, watch and resume."""
 
 import json
 import signal
@@ -18,14 +18,14 @@ class Use(System):
         self.start_manager()
         self.robot = self.start_robot()
 
-    def test_read_a_number(self):
+    def test_read_prints_a_number_and_its_age(self):
         self.said("call", GRIPPER, "open", "width=0.25")
         self.assertRegex(self.said("read", GRIPPER, "opening"), r"^0\.25, \d+\.\d ms old\n$")
         told = self.told("read", GRIPPER, "opening")
         self.assertEqual((told["command"], told["kind"], told["value"]), ("opening", "read", 0.25))
         self.assertGreaterEqual(told["age_ms"], 0)
 
-    def test_read_one_of_everything(self):
+    def test_read_prints_values_of_all_types(self):
         value = self.told("read", GRIPPER, "everything")["value"]
         self.assertEqual(value["label"], "hand")
         self.assertEqual(value["bytes"], [1, 2, 255])
@@ -42,7 +42,7 @@ class Use(System):
         self.assertRegex(text, r"\nspeed \[m/s\] +0\.25\n")
         self.assertRegex(text, r"\nnames +\[\"left\", \"right\"\]\n")
 
-    def test_call_each_kind(self):
+    def test_call_runs_commands_of_each_kind(self):
         self.assertEqual(self.said("call", GRIPPER, "enable"), "done\n")
         self.assertEqual(self.told("call", GRIPPER, "enable"), {"command": "enable", "kind": "void"})
         self.assertEqual(self.said("call", GRIPPER, "set_speed", "speed=0.5"), "done\n")
@@ -52,7 +52,7 @@ class Use(System):
         self.assertEqual(self.said("call", GRIPPER, "fits", "width=0.2"), "false\n")
         self.assertEqual(self.told("call", GRIPPER, "mode")["value"], "HoldStill")
 
-    def test_resume_a_connection_that_awaits_its_operator(self):
+    def test_resume_lets_commands_go_through_again(self):
         for _ in range(100):  # each request wakes the surgeon, who reads what is too old
             done = self.run_suture("resume", "robot:Surgeon/Gripper")
             if done.returncode == 0:
@@ -60,7 +60,7 @@ class Use(System):
             self.assertIn("it does not await an operator", done.stderr)
         self.assertEqual(done.stdout, "robot:Surgeon/Gripper: commands go through again\n")
 
-    def test_no_resume_while_the_provider_cannot_run(self):
+    def test_resume_is_refused_while_the_provider_cannot_run(self):
         for _ in range(100):
             if "does not await" not in self.run_suture("resume", "robot:Surgeon/Gripper").stderr:
                 break
@@ -76,7 +76,7 @@ class Use(System):
         self.assertIn("requires no such interface", self.refused("resume", "robot:Surgeon/Hand"))
         self.assertIn("is not of the form", self.refused("resume", "robot:Surgeon", status=2))
 
-    def test_arguments_as_json_and_by_their_paths(self):
+    def test_arguments_are_given_as_json_and_by_their_paths(self):
         self.said("call", GRIPPER, "servo_cp", "--args", GOAL)
         self.assertEqual(self.told("read", GRIPPER, "measured_cp")["value"]["pose"], POSE)
         self.said("call", GRIPPER, "servo_cp", "--args", GOAL, "goal.pose.x=0.125", "goal.stamp=9")
@@ -89,7 +89,7 @@ class Use(System):
         arguments = json.dumps({"x": value["goal"]})
         self.assertEqual(self.told("call", GRIPPER, "inverse_kinematics", "--args", arguments, "tolerance=1")["value"], value)
 
-    def test_arguments_that_are_wrong(self):
+    def test_wrong_arguments_are_refused(self):
         def error(*arguments):
             return self.refused("call", GRIPPER, *arguments, status=2)
 
@@ -111,7 +111,7 @@ class Use(System):
         self.assertEqual(error, f"call inverse_kinematics of {GRIPPER}: value outside its declared limits: "
                                 f"inverse_kinematics.tolerance. `suture describe {GRIPPER}` tells what it takes and answers")
 
-    def test_a_handler_that_throws(self):
+    def test_a_handlers_exception_is_told(self):
         error = self.refused("call", GRIPPER, "grasp", "width=-1", "mode=Servo")
         self.assertIn("the provider's handler threw. `suture read robot:Hand/component component_state` tells how it is", error)
         self.assertRegex(self.said("read", "robot:Hand/component", "component_state"), "^Faulted, ")
@@ -127,7 +127,7 @@ class Use(System):
         self.addCleanup(process.kill)
         return process
 
-    def test_watch_a_read(self):
+    def test_watch_prints_a_read(self):
         lines = self.said("watch", GRIPPER, "opening", "--rate", "100", "--count", "3").splitlines()
         self.assertEqual(len(lines), 3)
         for line in lines:
@@ -136,7 +136,7 @@ class Use(System):
         self.assertGreaterEqual(len(values), 1)
         self.assertEqual({one["value"] for one in values}, {0.0})
 
-    def test_watch_an_event(self):
+    def test_watch_prints_an_event(self):
         self.said("call", GRIPPER, "set_speed", "speed=0.5")  # `moved` is latched: it is there when we come
         watching = self.watch(GRIPPER, "moved", "--count", "2")
         first = json.loads(watching.stdout.readline())
@@ -147,11 +147,11 @@ class Use(System):
         self.assertGreaterEqual(second["elapsed"], first["elapsed"])
         self.assertEqual(watching.wait(PATIENCE), 0)
 
-    def test_watch_all_events_until_told_to_end(self):
+    def test_watch_prints_all_events_until_a_signal(self):
         for told in (signal.SIGINT, signal.SIGTERM):
             self.said("call", GRIPPER, "set_speed", "speed=0.5")
             watching = self.watch(GRIPPER)
-            watching.stdout.readline()  # a latched one: it listens now
+            watching.stdout.readline()  # a latched event came, so watch listens now
             self.said("call", GRIPPER, "enable")
             while (heard := json.loads(watching.stdout.readline()))["event"] != "stopped":
                 pass
@@ -167,7 +167,7 @@ class Use(System):
         output, errors = watching.communicate(timeout=PATIENCE)
         self.assertEqual((watching.returncode, errors), (1, ""))
         self.assertIn("process 'robot' is gone. Start it again.", json.loads(output)["error"])
-        self.robot.returncode = 0  # as intended
+        self.robot.returncode = 0  # the test has killed it, so that this is no failure
 
     def test_watch_ends_when_no_one_reads_any_more(self):
         for name in ("opening", "moved"):

@@ -1,8 +1,8 @@
 """Runs the demo for some seconds on one topology, lane and network, and checks what it says.
 
 How closely and how far a slave follows, and if a knot arrives in time, depends here on what else the machine does: a
-slave holds while data are late. All, to a millimetre, are tested in virtual time: law_test.cpp and knot_test.cpp in
-tests/integration/teleoperation.
+slave holds while data are late. law_test.cpp and knot_test.cpp in tests/integration/teleoperation test all of this in
+virtual time, to a millimetre.
 """
 
 import hashlib
@@ -21,9 +21,9 @@ CONNECTIONS = {"single": 41, "fig3a": 41, "fig3b": 40, "fig3b_tasks": 40, "fig3c
 # A run's length counts from when all is connected. In fig3b guiding begins only after four arms have homed, which takes
 # seconds of a busy machine's time, and the knot cannot be judged unless it was guided.
 SECONDS = {"single": 4, "fig3a": 4, "fig3b": 10, "fig3b_tasks": 10, "fig3c": 4}
-# This is the rate of the demo, Hz: when some demos run beside each other, the threads that wake up leave no time to those that look at
-# images. Lane rpc has to be slower still, for it carries images and each read within a process by TLS; and so do twenty processes, in which
-# nothing is within a process.
+# This is the rate of the demo, Hz. It is low, because some demos run beside each other, and threads that wake up more often would leave no
+# time to those that look at images. Lane rpc has to be slower still, for it carries images and each read within a process by TLS; and so do
+# twenty processes, in which nothing is within a process.
 RATES = {"auto": "500", "shm": "500", "frame": "500", "rpc": "200"}
 RATE_OF_TWENTY_PROCESSES = "200"
 SLAVES = {
@@ -55,7 +55,7 @@ def expected_lane(connection, lane, network):
     return "shm" if network == "unix" else "frame"
 
 
-# A busy machine does this to a slave and to a knot; that a knot was never guided is not among it.
+# These checks may fail on a busy machine; the one that the knot was guided at all may not.
 LATE = r"follows .*error .* at p99|the slave travelled |the knot (ended|came|was guided) |the cameras saw the knot "
 
 
@@ -73,7 +73,7 @@ def check_knot(knot, picture):
 
 
 def check_figures(result, workstation):
-    """One program did for all processes, every task had some of the processors, and arms had ages."""
+    """Checks that one program ran all processes, that every task had processor time, and that connections of arms had ages."""
     sha256 = hashlib.sha256(workstation.read_bytes()).hexdigest()
     assert result["programs"] == [{"name": "suture-workstation", "sha256": sha256}], result["programs"]
     for process in result["processes"]:
@@ -89,7 +89,7 @@ def check_figures(result, workstation):
 
 
 def check_tables(output, topology):
-    """They fit a terminal of 120 columns, unless commands were dropped or late, and have the paper's figures."""
+    """Checks that the tables fit a terminal of 120 columns, unless commands were dropped or late, and have the paper's figures."""
     tables = output[output.index("\nconnection "):]
     tables = tables[:re.search(r"(?m)^(ok|FAILED) ", tables).start()]
     wide = [line for line in tables.splitlines() if len(line) > 120]

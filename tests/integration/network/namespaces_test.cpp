@@ -1,4 +1,5 @@
 // A client and a provider are on two machines, as far as the network goes.
+
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
 #include <suture/loop/control_thread.h>
@@ -24,7 +25,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Is the address of the manager, the lane asked for, and the lane expected.
+/// Has the address of the global manager, the lane asked for, and the lane expected.
 using Case = std::tuple<const char*, Lane, const char*>;
 
 class Namespaces : public testing::TestWithParam<Case> {
@@ -69,7 +70,7 @@ class Namespaces : public testing::TestWithParam<Case> {
 
   TemporaryDirectory directory_;
   std::optional<Cable> cable_;
-  std::unique_ptr<rpc::ControlThread> control_;  // made in the namespace, so after it
+  std::unique_ptr<rpc::ControlThread> control_;  // made after the cable, so in its namespace
   std::unique_ptr<GlobalManager> names_;
 };
 

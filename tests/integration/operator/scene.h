@@ -32,7 +32,7 @@ class Scene final : public suture::PeriodicTask, public KnotVision, public Guida
   const KnotSighting& sighting() const override { return sighting_; }
 
   std::atomic<bool> covered = false;  ///< no camera sees the knot
-  std::atomic<bool> frozen = false;   ///< the picture is that of before
+  std::atomic<bool> frozen = false;   ///< the picture stays as it was
 
  private:
   void onStart() override { guidance_.emit().guidance_state(GuidanceState::Guiding); }

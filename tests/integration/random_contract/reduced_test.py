@@ -1,6 +1,6 @@
 """A header with a planted fault is made as small as the fault allows: reduced_test.py --suture BUILD
 
-A fault that a person plants in a text, and one that suturec finds, both in headers that are drawn.
+The tests plant a text, and an error that suturec finds, in headers that are drawn at random.
 """
 
 import argparse
@@ -22,7 +22,7 @@ SUTURE = parser.parse_args().suture.resolve()
 
 
 def large_header():
-    """Returns the first header with a contract and two structs, of which the second, which gets the fault, needs no other type."""
+    """Returns the first header with a contract and at least two structs, the last of which, which gets the fault, can be alone."""
     return next(header for header in map(Header, range(1, 1000))
                 if len(header.structs) > 1 and header.contract and not is_away(list(header.structs)[-1]))
 
@@ -61,7 +61,7 @@ class Reduced(unittest.TestCase):
         self.assertNotIn("SUTURE_INTERFACE", report)
 
     def test_a_fault_of_another_kind_does_not_count(self):
-        """What falls first, a command, is what keeps the other fault away."""
+        """The command, which the reduction takes away first, keeps the other fault away."""
         header = large_header()
         header.commands = [Command("SUTURE_COMMAND() virtual void planted() = 0;", [])]
         header.structs[list(header.structs)[-1]].append(Field("other", "float"))

@@ -52,7 +52,7 @@ class RoundTrip {
     const auto in = message.getRoot<Message>().asReader();
     expect(fromWire(in, *arrived, suture::Duration{}) == Errc{}, "what was sent is refused");
     expect(isValid(*arrived) == isValid(*slot), "what arrives is judged otherwise");
-    load(*arrived, received_);  // over the value before
+    load(*arrived, received_);  // over the value of the round before
     expect(same(received_, value), "what arrives is not what was sent");
     expect(bytes == encoded(received_), "what arrives is encoded otherwise");
     checkBytes(value, isValid(*slot));
