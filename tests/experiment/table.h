@@ -10,7 +10,7 @@ namespace experiment {
 
 /// Returns the names of the columns.
 std::string header();
-/// Returns a trial in these columns: ms, %, mm and s. A time that is none is empty.
+/// Returns a trial in these columns, in ms, %, mm and s. A time that a trial lacks is empty.
 std::string row(const Trial& trial, const Result& result);
 
 }  // namespace experiment

@@ -44,7 +44,7 @@ void expectLane(const Manager& manager, Lane lane) {
   }
 }
 
-/// Checks at its end what has been used since its beginning.
+/// Checks when it ends that this process has not grown by kMostBytes since it began.
 class MemoryBound {
  public:
   ~MemoryBound() {
@@ -80,7 +80,7 @@ class StoppedTask : public testing::TestWithParam<Lane> {
     here_.connect(required, (GetParam() == Lane::Auto ? "" : "here:") + provided,
                   {.lane = GetParam(), .patience = kPatience, .contract = {.silence = 60s}});
   }
-  /// Returns what the subscriber's own end tells, wherever on the lane they were dropped.
+  /// Returns how many events the subscriber's end says were dropped, wherever on the lane.
   std::uint64_t droppedFor(const std::string& client) const {
     std::uint64_t dropped = 0;
     for (const ConnectionReport& one : observe(here_, now()).connections) {
@@ -136,7 +136,7 @@ TEST_P(StoppedTask, AStoppedSubscriberLosesOnlyItsOwnEvents) {
 struct Caller final : Device {
   Required<ArmLike> stopped{*this, "Stopped"}, live{*this, "Live"};
 
-  /// Asks the one that does not run for more than it takes, and the other for answers.
+  /// Sends the provider that does not run more than it takes, and requires answers of the other.
   void flood() {
     const MemoryBound bound;
     for (int i = 0; i < kCommands; ++i) {
@@ -185,13 +185,13 @@ TEST_P(StoppedTask, AStoppedProvidersCommandsAreBounded) {
 
 class StoppedProcess : public testing::TestWithParam<Lane> {
  protected:
-  /// The latest client has written so much more down, and it writes only what it hears. Looks at
-  /// the size alone: this process's memory is measured.
+  /// Waits until the latest client has written so much more down; it writes only what it hears.
+  /// Looks at the size alone, because this process's memory is measured.
   bool hasHeard(std::uintmax_t bytes) const {
     const std::uintmax_t before = system_.clientsHistorySize();
     return eventually([&] { return system_.clientsHistorySize() >= before + bytes; });
   }
-  /// The test is a provider with two clients, and has the first one hurt while the other listens.
+  /// Runs a provider with two clients, and has the first one hurt while the other listens.
   /// `hurt` tells how many faults it has injected.
   void hurtASubscriber(const std::function<int(Child&)>& hurt) {
     const TemporaryDirectory directory;
@@ -243,7 +243,7 @@ TEST_P(StoppedProcess, AStoppedSubscriberDelaysNoOther) {
   });
 }
 
-// It reads for a short while now and then.
+// The slow client reads for a short while now and then.
 TEST_P(StoppedProcess, ASlowReaderDelaysNoOther) {
   std::mt19937 random(faultSeed());
   std::uniform_int_distribution<int> microseconds(0, 4000);

@@ -1,4 +1,5 @@
-// Each fault befalls single messages, on each lane: the tests say what must hold all the same.
+// These tests lose, delay and repeat single messages on each lane, and say what must hold all the
+// same.
 
 #include <gtest/gtest.h>
 #include <suture/loop/control_thread.h>
@@ -24,13 +25,13 @@ using namespace std::chrono_literals;
 enum class LaneUnderFault { Local, Shm, Frame, Rpc };
 constexpr const char* kLanes[] = {"Local", "Shm", "Frame", "Rpc"};
 constexpr Lane kAsked[] = {Lane::Auto, Lane::Auto, Lane::Frame, Lane::Rpc};
-// Connections with faults are called so.
+// The lane of a connection with faults has such a name.
 constexpr const char* kLaneNames[] = {"local+fault", "shm+fault", "frame+fault", "rpc+fault"};
 
 struct Fault {
   const char* name;
   FaultPlan plan;
-  // The receiver is to notice these of it; whatever else it does is not checked.
+  // The receiver must notice these effects of the fault; no others are checked.
   bool loses = false, duplicates = false, overtakes = false;
   // The fault may not lose even one message.
   bool keeps = false;
@@ -59,7 +60,7 @@ const Fault kFaults[] = {
      .overtakes = true},
 };
 
-// Times; each leaves four entries in a history.
+// So many calls of ask() are enough, since each leaves four entries in a history.
 constexpr int kEnoughAsked = 10;
 
 Duration faultTime() {
@@ -133,10 +134,11 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     for (const ConnectionReport& one : observe(*clients_, now()).connections) {
       if (one.end == ConnectionEnd::Client) return one;
     }
-    ADD_FAILURE() << "no connection";
+    ADD_FAILURE() << "there is no connection";
     return {};
   }
-  /// It was heard all the same: a stall can hold up every row for as long as the test asks.
+  /// Tells if the fault has been noticed and rows have come all the same: a stall can hold up every
+  /// row for as long as the test asks.
   bool wasUnderFault() const {
     const ConnectionReport seen = report();
     return reads_ > 0 && plan_.counts->total() > 0 && (!fault().loses || seen.messagesLost > 0) &&

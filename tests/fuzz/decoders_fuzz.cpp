@@ -1,5 +1,5 @@
-// This gives any bytes to the decoders of generated types: the first byte chooses the type, the
-// rest is a frame as a socket gives it, and goes the same way as there.
+// This gives any bytes to the decoders of generated types: the first byte chooses the type, and the
+// rest is taken for a message from a socket, which goes the same way here.
 
 #include <kj/exception.h>
 #include <suture/framing/received_message.h>
@@ -25,7 +25,8 @@ void receive(const Decoder& decoder, std::span<const std::byte> bytes) {
   auto words = kj::heapArray<capnp::word>(header->totalBytes / sizeof(capnp::word));
   std::memcpy(words.begin(), bytes.data(), header->totalBytes);
   capnp::ReaderOptions options;
-  options.traversalLimitInWords = 2 * limits.messageBytes / sizeof(capnp::word);  // as Link does
+  options.traversalLimitInWords =
+      2 * limits.messageBytes / sizeof(capnp::word);  // as MessageStream does
   rpc::ReceivedMessage message(kj::mv(words), *header, options);
   decoder.check(message);
 }
@@ -36,12 +37,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   try {
     receive(chosen(data[0]), std::as_bytes(std::span(data, size)).subspan(1));
-  } catch (const kj::Exception&) {  // so capnp refuses what is no message
+  } catch (const kj::Exception&) {  // capnp refuses in this way what is no message
   }
   return 0;
 }
 
-// Now and then a whole message of the schema: bytes alone seldom become one.
+// Now and then this makes a whole message of the schema, since mutated bytes seldom become one.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed) {
   if (size > 0 && seed % 8 != 0) return LLVMFuzzerMutate(data, size, most);

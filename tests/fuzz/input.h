@@ -1,12 +1,12 @@
 #pragma once
-// This takes apart what a fuzzer is given.
+// This takes numbers out of the bytes that a fuzzer is given.
 
 #include <cstddef>
 #include <cstdint>
 
 namespace suture::fuzz {
 
-/// Is the input, a byte at a time, with zeros behind its end.
+/// Gives the input byte by byte, and zeros behind its end.
 class Input {
  public:
   Input(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}

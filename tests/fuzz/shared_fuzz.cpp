@@ -1,6 +1,6 @@
 // This fuzzes the readers of memory that another process writes: mailbox, event queue and state
-// table. The other process writes what is right, and anything anywhere in between; what a reader
-// hands out must be a record of the contract, and stays as it is while it is looked at.
+// table. The other process writes as it should, and between that any value at any place; what a
+// reader hands out must be a record of the contract, and must not change while it is in use.
 
 #include <suture/rt/queue/event_queue.h>
 #include <suture/rt/queue/mailbox.h>
@@ -108,7 +108,7 @@ class Processes {
     const std::uint64_t valid = input_.byte(), tooLarge = input_.byte();
     table_.publish(now(), {.valid = valid, .tooLarge = tooLarge});
   }
-  /// Writes values that mean something there more often than chance would.
+  /// Writes, more often than chance would, a value that means something to a reader.
   void scribble(const MemoryBlock& block) {
     const std::uint64_t values[] = {
         0, 1, 7, ~std::uint64_t{0}, std::uint64_t{1} << 63, input_.eight()};

@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// Waits for what another thread will bring about; false after kPatience. Asks no more once it is
-/// so: a condition may have an effect.
+/// Waits until another thread has made the condition true; returns false if it has not after
+/// kPatience. Does not ask again once it is true, because to ask may have an effect.
 template <class Condition>
 bool eventually(const Condition& condition) {
   const Time deadline = now() + kPatience;

@@ -17,7 +17,7 @@
 
 namespace reference {
 
-/// A move for this reason tells the test that it runs.
+/// A move with this reason tells the test that it runs.
 inline constexpr const char* kTellsThatItRuns = "tell";
 
 /// Emits events in each cycle: the arm's number and the event's.
@@ -29,7 +29,7 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
         number_(number),
         eventsPerCycle_(eventsPerCycle) {}
 
-  /// Called by a move that is to tell so.
+  /// A move with the reason kTellsThatItRuns calls this.
   std::function<void()> whenItRuns = [] {};
 
   double distance(const PoseStamped& goal) const override {

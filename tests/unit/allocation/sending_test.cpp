@@ -23,7 +23,7 @@ class SendingTest : public testing::Test {
   std::uint64_t allocationsOf(unsigned bytes) {
     capnp::MallocMessageBuilder message;
     message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(bytes);
-    while (send(full_, chunk_.data(), chunk_.size(), MSG_NOSIGNAL) > 0) continue;
+    while (send(full_, block_.data(), block_.size(), MSG_NOSIGNAL) > 0) continue;
     const std::uint64_t sent = stream_.counters()->sentBytes;
     const std::uint64_t before = allocations();
     stream_.write(message.getSegmentsForOutput());
@@ -38,22 +38,23 @@ class SendingTest : public testing::Test {
 
  private:
   void empty() {
-    while (recv(pair_.theirs, chunk_.data(), chunk_.size(), 0) > 0) continue;
+    while (recv(pair_.theirs, block_.data(), block_.size(), 0) > 0) continue;
   }
 
   EventPort port_;
   SocketPair pair_ = makeSocketPair();
   const kj::AutoCloseFd full_{fcntl(pair_.ours, F_DUPFD_CLOEXEC, 0)};
   MessageStream stream_{port_, kj::mv(pair_.ours)};
-  std::array<std::byte, 65'536> chunk_{};
+  std::array<std::byte, 65'536> block_{};
 };
 
+// To wait for room allocates by itself; once an image has been sent, no message takes more.
 TEST_F(SendingTest, AnImageTakesNoMemoryAnew) {
   allocationsOf(kImage);
   const std::uint64_t first = allocationsOf(kShort);
-  const std::uint64_t waitForRoom = allocationsOf(kShort);
-  EXPECT_EQ(first, waitForRoom);
-  EXPECT_EQ(allocationsOf(kImage), waitForRoom);
+  const std::uint64_t second = allocationsOf(kShort);
+  EXPECT_EQ(first, second);
+  EXPECT_EQ(allocationsOf(kImage), second);
 }
 
 }  // namespace

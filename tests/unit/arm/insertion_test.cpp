@@ -1,4 +1,4 @@
-// These control an arm that works through a cannula by Cartesian goals.
+// These tests send Cartesian goals to an arm that works through a cannula.
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@ ArmModel<6> cannulaModel() {
 
 class InsertionTest : public CrtkArmTest {
  protected:
-  static constexpr double kShaft =
-      0.4318 - 0.4162;  // m: so much less is the wrist beyond the centre
+  // In m: is the insertion joint's position less how far the wrist is beyond the centre.
+  static constexpr double kShaft = 0.4318 - 0.4162;
 
   InsertionTest() : CrtkArmTest(cannulaModel()) {}
 
-  /// Moves the insertion by a joint move.
+  /// Brings the wrist so far (m) beyond the centre, by a joint move.
   void insert(double wristBeyondCentre) {
     JointGoal goal = joints(0.1);
     goal.position[2] = wristBeyondCentre + kShaft;
@@ -76,7 +76,7 @@ TEST_F(InsertionTest, AStreamEndsWhenItIsNotInserted) {
   EXPECT_NEAR(setpoint(2), 0.045 + kShaft, 1e-3);
 }
 
-TEST_F(InsertionTest, IsTheBusinessOfHoming) {
+TEST_F(InsertionTest, HomingInsertsTheInstrument) {
   insert(0.03);
   crtk_.home();
   while (heard_.goals.empty()) cycles(1);

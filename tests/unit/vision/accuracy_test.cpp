@@ -68,7 +68,7 @@ class Observed {
     EXPECT_EQ(errors.count(), kMarkers * kImages) << "all are seen, at " << z;
     return errors;
   }
-  /// Returns the errors of the knot alone, which meets the grid of pixels in each way.
+  /// Returns the errors of the knot alone, which lies differently on the pixels in each image.
   Errors ofKnotAt(double z) {
     Errors errors;
     for (int i = 0; i < kManyImages; ++i) {
@@ -106,8 +106,8 @@ class Observed {
   ImageFrame left_, right_;
 };
 
-// The test also sees that kDisparityNoise is not much more than what there is: a bound that nothing
-// can miss would bound nothing.
+// The test also requires that kDisparityNoise is not much more than the noise that there is,
+// because a bound that is too wide finds nothing.
 TEST(Accuracy, DepthErrorsAreThoseOfTheDisparity) {
   const CameraPair cameras;
   Observed observed(cameras);
@@ -122,7 +122,8 @@ TEST(Accuracy, DepthErrorsAreThoseOfTheDisparity) {
   RecordProperty("worst_disparity_px", std::to_string(worst));
 }
 
-// With four samples a pixel it scattered by 0.039 px, and three quarters of that came of the edges.
+// While pixels were painted with four samples, the knot scattered by 0.039 px, three quarters of
+// which came from its edges.
 TEST(Accuracy, AKnotScattersLittleMoreThanTheSensorsNoise) {
   constexpr double kTarget = 0.11;  // m before the camera: where fig3b places it
   const double scatter = Observed(CameraPair{}).ofKnotAt(kTarget).deviation();

@@ -50,7 +50,7 @@ TEST_F(Stereo, AMarkerIsFoundWhereItIsInTheImage) {
     const auto expect = [&](Marker marker, const Vector3d& truth, double pixels) {
       const auto& point = found[static_cast<std::size_t>(marker)];
       ASSERT_TRUE(point) << "at " << z;
-      // An error of the depth is one along the ray, and not of this.
+      // An error of the depth lies along the ray, and is not judged here.
       const Eigen::Vector2d seen = cameras_.project(Eye::Left, *point);
       EXPECT_LT((seen - cameras_.project(Eye::Left, truth)).norm(), pixels) << "at " << z;
     };
@@ -68,7 +68,7 @@ TEST_F(Stereo, AMarkerOutsideTheImageIsNotSeen) {
   EXPECT_TRUE(sees(found, Marker::Knot));
 }
 
-// Half of a ball has its centre elsewhere.
+// The centre of what is seen is not the ball's centre, so such a marker must not count.
 TEST_F(Stereo, APartlyVisibleMarkerIsNotSeen) {
   const double edge = -0.08 * cameras_.width / 2 / cameras_.focal;
   look(hanging({edge, 0, 0.08}, {0, -0.004, 0.08}, {0.029, 0, 0.08}));
@@ -93,7 +93,7 @@ TEST_F(Stereo, AMarkerThatIsHiddenInPartIsNotSeen) {
   for (const double hidden : {0.2, 0.5, 0.8}) {
     for (const std::vector<Eye>& eyes :
          {std::vector{Eye::Right}, std::vector{Eye::Left}, std::vector{Eye::Left, Eye::Right}}) {
-      if (eyes.size() == 2 && hidden < 0.5) continue;  // both eyes see as much
+      if (eyes.size() == 2 && hidden < 0.5) continue;  // enough is seen, and the same by both eyes
       look(hanging({-0.03, 0, 0.1}, knot, {0.03, 0, 0.1}));
       for (const Eye eye : eyes) {
         const double left = cameras_.project(eye, knot).x() - radius;
@@ -101,7 +101,8 @@ TEST_F(Stereo, AMarkerThatIsHiddenInPartIsNotSeen) {
               static_cast<int>(left + 2 * radius * hidden));
       }
       const MarkerPoints found = locate(cameras_, detect(left_), detect(right_));
-      EXPECT_FALSE(sees(found, Marker::Knot)) << hidden << " of its width in " << eyes.size();
+      EXPECT_FALSE(sees(found, Marker::Knot))
+          << hidden << " of it is hidden from " << eyes.size() << " eyes";
       EXPECT_TRUE(sees(found, Marker::LeftTip) && sees(found, Marker::RightTip));
     }
   }

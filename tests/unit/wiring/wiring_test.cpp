@@ -108,14 +108,15 @@ bool isUnreadable(const std::string& description) {
                                   "description: missing here, unreadable there"};
 }
 
-/// Has so many levels of lists as the commands of a contract.
+/// Returns a description whose commands are so many lists, one inside the other.
 std::string nested(std::size_t levels) {
   return R"({"core": "hash", "commands": )" + std::string(levels, '[') + std::string(levels, ']') +
          "}";
 }
 
-// What a peer sends is refused before anything that takes a stack or time to match.
-TEST(Description, EndlessNestingIsUnreadable) {
+// A peer's description is refused before any work on it that might take a whole stack or endless
+// time.
+TEST(Description, ATooDeepOneIsUnreadable) {
   for (const std::size_t levels : {32u, 100'000u, 500'000u}) {
     EXPECT_TRUE(isUnreadable(nested(levels))) << levels;
   }
@@ -126,13 +127,13 @@ TEST(Description, EndlessNestingIsUnreadable) {
   EXPECT_EQ(differences("{}", inText).size(), 1u);
 }
 
-TEST(Description, AnEndlessOneIsUnreadable) {
+TEST(Description, ATooLongOneIsUnreadable) {
   std::string there = R"({"core": "hash", "wire": [{"id": "@0xa1"})";
   while (there.size() <= (1u << 20)) there += R"(,{"id": "x"})";
   EXPECT_TRUE(isUnreadable(there + "]}"));
 }
 
-TEST(Description, LongKeysAreNotTakenForEachLeafBelowThem) {
+TEST(Description, ALongKeyIsNotRepeatedForEachLeafBelowIt) {
   std::string there = R"({")" + std::string(1000, 'k') + R"(": [1)";
   for (int i = 0; i < 100'000; ++i) there += ",[],1";
   there += "]}";
@@ -144,7 +145,7 @@ TEST(Description, LongKeysAreNotTakenForEachLeafBelowThem) {
       std::ranges::count(lines, "description: missing here, longer than can be told there"));
 }
 
-/// Returns the contract's info with less to say of it than suturec writes.
+/// Returns the info of a contract with this hash and description instead of suturec's.
 InterfaceInfo described(const char* hash, const char* description) {
   InterfaceInfo info = interfaceInfo<reference::ArmLike>();
   info.hash = hash;

@@ -1,5 +1,5 @@
 #pragma once
-// This component is made from parameters that somebody else declared.
+// This is a component whose parameters somebody else has declared.
 
 #include <suture/annotate.h>
 #include <suture/component/device.h>
