@@ -25,11 +25,14 @@ class PassivityObserver {
     energy_ -= force_.cwiseProduct(position - position_);
     position_ = position;
   }
+  /// Forgets what the account has beyond `energy` (J) along each axis. Friction takes what the hand
+  /// gives for good, so that the feedback must not give it back a minute later.
+  void keepAtMost(const Eigen::Vector3d& energy) { energy_ = energy_.cwiseMin(energy); }
   /// Says that `force` pushes the hand from now on.
   void pushes(const Eigen::Vector3d& force) { force_ = force; }
 
-  /// Returns the energy in J that the hand has given along each axis since the account began. Below
-  /// zero the feedback has given more than it was given: it is active.
+  /// Returns the energy in J that the hand has given along each axis since the account began, less
+  /// what was forgotten. Below zero the feedback has given more than it was given: it is active.
   const Eigen::Vector3d& energy() const { return energy_; }
 
  private:

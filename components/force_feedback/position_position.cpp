@@ -9,6 +9,13 @@ namespace {
 // held for the whole cycle, and would throw the hand back if it took more than all.
 constexpr double kShare = 0.5;
 
+/// Returns the energy in J that the spring of the coupling holds along each axis: the hand may have
+/// that back.
+Eigen::Vector3d heldBySpring(const CouplingGains& gains, const TipMotion& master,
+                             const TipMotion& slave) {
+  return gains.stiffness / 2 * (slave.position - master.position).cwiseAbs2();
+}
+
 }  // namespace
 
 PositionPosition::PositionPosition(const PositionPositionModel& model) : model_(model) {
@@ -28,6 +35,7 @@ Eigen::Vector3d PositionPosition::force(const TipMotion& master, const TipMotion
   const double most = model_.most_force;
   Eigen::Vector3d force = coupling(model_.gains, master, slave).cwiseMin(most).cwiseMax(-most);
   if (model_.passive) {
+    observer_.keepAtMost(heldBySpring(model_.gains, master, slave));
     const double mostDamping = kShare * model_.mass / dt;
     force = damped(force, master.velocity, observer_.energy(), mostDamping, dt);
   }

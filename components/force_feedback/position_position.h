@@ -48,7 +48,9 @@ class PositionPosition {
   /// Call this in each cycle. Returns the force on the hand for the next `dt` seconds (> 0), in N.
   Eigen::Vector3d force(const TipMotion& master, const TipMotion& slave, double dt);
 
-  /// Returns the energy in J that the hand has given along each axis (PassivityObserver).
+  /// Returns the energy in J that the hand has given along each axis (PassivityObserver). With the
+  /// controller the account keeps no more than the spring of the coupling holds, because friction
+  /// at the slave has taken the rest.
   const Eigen::Vector3d& energy() const { return observer_.energy(); }
 
  private:

@@ -52,6 +52,7 @@ TEST(PassivityController, BrakesNoHarderThanItsBound) {
 TEST(PassivityController, LeavesAHandAloneThatRests) {
   const Vector3d force{5, 5, 5};
   EXPECT_EQ(damped(force, Vector3d::Zero(), {-1, -1, -1}, kBound, kCycle), force);
+  EXPECT_EQ(damped(force, {1e-320, -1e-320, 1e-200}, {-1, -1, -1}, kBound, kCycle), force);
 }
 
 }  // namespace
