@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
 
 namespace suture::compiler::driver {
 namespace {
@@ -19,6 +21,10 @@ std::string escaped(const std::string& path) {
     result += c;
   }
   return result;
+}
+
+[[noreturn]] void cannotWrite(const fs::path& path, const std::error_code& why) {
+  throw std::runtime_error("cannot write '" + path.string() + "': " + why.message());
 }
 
 }  // namespace
@@ -38,13 +44,13 @@ void NewFiles::add(const fs::path& path, const std::string& text) {
   std::error_code failed;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), failed);
   files_.push_back({path.string() + ".tmp" + std::to_string(::getpid()), path});
+  errno = 0;
   std::ofstream file(files_.back().temporary, std::ios::binary | std::ios::trunc);
   file << text;
   file.close();
   // A folder is refused here, since place() would find it only after other files are in place.
-  if (!file || fs::is_directory(path)) {
-    throw std::runtime_error("cannot write '" + path.string() + "'");
-  }
+  if (fs::is_directory(path)) cannotWrite(path, std::make_error_code(std::errc::is_a_directory));
+  if (!file) cannotWrite(path, failed ? failed : std::error_code(errno, std::generic_category()));
 }
 
 bool NewFiles::addIfChanged(const fs::path& path, const std::string& text) {
@@ -57,9 +63,7 @@ void NewFiles::place() {
   for (const File& file : files_) {
     std::error_code failed;
     fs::rename(file.temporary, file.path, failed);
-    if (failed) {
-      throw std::runtime_error("cannot write '" + file.path.string() + "': " + failed.message());
-    }
+    if (failed) cannotWrite(file.path, failed);
   }
   files_.clear();
 }

@@ -82,7 +82,8 @@ std::vector<model::Artefact> lockTexts(const model::Model& model, const Options&
 /// Returns the locks of other headers that have one of these C++ names, in the order of their
 /// paths.
 std::vector<model::Artefact> otherLockTexts(const std::vector<std::string>& names,
-                                            const lock::Locks& locks, const Options& options) {
+                                            const lock::Locks& locks, const Options& options,
+                                            std::vector<std::string>& dependencies) {
   std::map<std::string, std::string> texts;
   for (const std::string& directory : options.lockDirectories) {
     if (names.empty() || !fs::is_directory(directory)) continue;
@@ -93,7 +94,9 @@ std::vector<model::Artefact> otherLockTexts(const std::vector<std::string>& name
       const bool has = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
         return text.find('"' + name + '"') != std::string::npos;
       });
-      if (has) texts.emplace(path, text);
+      if (has && texts.emplace(path, text).second) {
+        dependencies.push_back(fs::absolute(entry.path()).lexically_normal().string());
+      }
     }
   }
   std::vector<model::Artefact> result;
@@ -124,7 +127,7 @@ class Run {
     const auto texts = lockTexts(frontend_.model(), options_, dependencies_);
     lock::Locks locks = lock::read(texts, findings, lockOptions_);
     const auto names = lock::unknownNames(frontend_.model(), locks);
-    lock::readOthers(otherLockTexts(names, locks, options_), locks);
+    lock::readOthers(otherLockTexts(names, locks, options_, dependencies_), locks);
     model_ = lock::settled(frontend_.model(), locks);
     if (!frontend_.report(check::check(model_)) || !frontend_.report(findings)) return false;
     if (options_.updateLock) return updateLock(locks);
@@ -153,15 +156,17 @@ class Run {
     }
     if (!frontend_.report(update.diagnostics)) return false;
     NewFiles files;
+    std::string updated;
     for (const model::Artefact& file : update.files) {
       const fs::path path = fs::path(options_.lockDirectories.front()) / file.path;
       if (!files.addIfChanged(path, file.text)) continue;
-      std::cout << "updated " << path.string() << "\n";
+      updated += "updated " + path.string() + "\n";
       const auto changes = update.changes.find(file.path);
       if (changes == update.changes.end()) continue;
-      for (const std::string& line : changes->second) std::cout << "  " << line << "\n";
+      for (const std::string& line : changes->second) updated += "  " + line + "\n";
     }
     files.place();
+    std::cout << updated;
     return true;
   }
 

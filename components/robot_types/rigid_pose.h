@@ -14,12 +14,17 @@ inline bool isRigid(const Eigen::Isometry3d& pose) {
          rotation.determinant() > 0;
 }
 
+/// Any thread. Returns the rotation that is nearest to one to 1e-6.
+inline Eigen::Matrix3d exact(const Eigen::Matrix3d& rotation) {
+  return Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+}
+
 /// Any thread. Returns a rigid pose with the nearest rotation. Who keeps a frame makes it exact,
 /// because others take its transpose for its inverse and multiply several, for which the six digits
 /// that people write are not enough.
 inline Eigen::Isometry3d exact(const Eigen::Isometry3d& pose) {
   Eigen::Isometry3d result = pose;
-  result.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+  result.linear() = exact(Eigen::Matrix3d(pose.linear()));
   return result;
 }
 

@@ -13,7 +13,10 @@ class Input {
 
   bool ended() const { return at_ >= size_; }
   std::size_t byte() { return ended() ? 0 : data_[at_++]; }
-  std::size_t two() { return byte() * 256 + byte(); }
+  std::size_t two() {
+    const std::size_t high = byte();
+    return high * 256 + byte();
+  }
   std::uint64_t eight() {
     std::uint64_t value = 0;
     for (int i = 0; i < 8; ++i) value = value << 8 | byte();

@@ -14,10 +14,10 @@ def may_be_real_time(priority):
     it."""
     child = os.fork()
     if child == 0:
+        status = 1  # also of a child that fails otherwise: it must never go on as a second test
         try:
             os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(priority))
-            locked = ctypes.CDLL(None).mlockall(3) == 0
-        except OSError:
-            locked = False
-        os._exit(0 if locked else 1)
+            status = ctypes.CDLL(None).mlockall(3) != 0
+        finally:
+            os._exit(status)
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0

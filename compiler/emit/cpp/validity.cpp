@@ -18,9 +18,9 @@ bool isReal(model::Scalar scalar) {
   return scalar == model::Scalar::Float32 || scalar == model::Scalar::Float64;
 }
 
-std::string within(const std::string& slot, const Range& range, double scale) {
-  return "suture::inRange(" + slot + ", " + cxxNumber(range->first * scale) + ", " +
-         cxxNumber(range->second * scale) + ")";
+std::string within(const std::string& slot, const Range& range) {
+  return "suture::inRange(" + slot + ", " + cxxNumber(range->first) + ", " +
+         cxxNumber(range->second) + ")";
 }
 
 bool usesPath(const std::string& condition) {
@@ -46,7 +46,7 @@ std::string coefficientsCondition(const Type& type, const std::string& slot, con
   if (!range) return "isValid(" + slot + (vector ? ", path)" : ")");
   const std::string item = "element" + depthSuffix(depth);
   return allOf(slot, vector ? "path" : "nullptr", cxxScalar(type.scalar) + " " + item,
-               within(item, range, 1));
+               within(item, range));
 }
 
 /// Returns the lowest and the highest value of an integer, as near as a double comes to them.
@@ -140,14 +140,10 @@ std::string eachCondition(const char* function, const Type& type, const std::str
   return function + ("(" + slot) + ", path" + checks + ")";
 }
 
-/// Returns the condition of a duration. Its range is in seconds; its slot holds the count if that
-/// is real, and else nanoseconds.
-std::string durationCondition(const Type& type, const std::string& slot, const Range& range) {
-  if (const Range counted = countedNanoseconds(type)) return within(slot, counted, 1);
-  if (!range) return isChecked(type) ? "isValid(" + slot + ")" : "";
-  const double counts =
-      static_cast<double>(type.periodDenominator) / static_cast<double>(type.periodNumerator);
-  return within(slot, range, isReal(lock::wireScalar(type)) ? counts : 1e9);
+/// Returns the condition of a duration, which has no range() of its own.
+std::string durationCondition(const Type& type, const std::string& slot) {
+  if (const Range counted = countedNanoseconds(type)) return within(slot, counted);
+  return isChecked(type) ? "isValid(" + slot + ")" : "";
 }
 
 std::string sequenceCondition(const Type& type, const std::string& slot, const Range& range,
@@ -167,9 +163,9 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
   switch (type.shape) {
     case Shape::Scalar:
       if (type.scalar == model::Scalar::Bool) return "";
-      if (range) return within(slot, range, 1);
+      if (range) return within(slot, range);
       return isReal(type.scalar) ? "isValid(" + slot + ")" : "";
-    case Shape::Duration: return durationCondition(type, slot, range);
+    case Shape::Duration: return durationCondition(type, slot);
     case Shape::Struct: return "isValid(" + slot + ", path)";
     case Shape::Enum: return enumCheck(type.name, context) + "(" + slot + ")";
     case Shape::Text:

@@ -128,7 +128,7 @@ std::size_t Code::wrap(std::string_view text, std::size_t indent) {
 }
 
 Code& Code::blank() {
-  text_ += '\n';
+  if (!text_.ends_with("\n\n")) text_ += '\n';
   return *this;
 }
 

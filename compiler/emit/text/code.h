@@ -31,6 +31,7 @@ class Code {
     return write(text);
   }
 
+  /// Writes an empty line, unless the last one is empty.
   Code& blank();
   /// Copies the text as it is, indentation and all.
   Code& verbatim(std::string_view text);

@@ -16,10 +16,11 @@ constexpr std::size_t kMostWaiting = std::size_t{1} << 20;
 // A pipe that has room takes this much at once without blocking.
 constexpr std::size_t kAtOnce = PIPE_BUF;
 
-bool takesMore(int descriptor, Duration patience) {
+/// Returns what poll() does.
+int awaitRoom(int descriptor, Duration patience) {
   const auto wait = std::chrono::ceil<std::chrono::milliseconds>(std::max(patience, Duration{0}));
   pollfd asked{.fd = descriptor, .events = POLLOUT, .revents = 0};
-  return poll(&asked, 1, static_cast<int>(wait.count())) > 0;
+  return poll(&asked, 1, static_cast<int>(wait.count()));
 }
 
 }  // namespace
@@ -29,6 +30,10 @@ void ReportWriter::started() { tell({{"kind", "started"}}, "started\n"); }
 void ReportWriter::report(const Report& report) {
   flush();
   if (descriptor_ < 0 || !waiting_.empty()) return;
+  if (const std::uint64_t count = std::exchange(leftOut_, 0); count > 0) {
+    failure(std::to_string(count) +
+            " failures are left out here, whose text nobody has read in time");
+  }
   nlohmann::json message = toJson(report);
   message["kind"] = "report";
   tell(message, toText(report));
@@ -39,7 +44,11 @@ void ReportWriter::failure(const std::string& text, bool loss) {
 }
 
 void ReportWriter::tell(const nlohmann::json& message, const std::string& text) {
-  if (descriptor_ < 0 || waiting_.size() > kMostWaiting) return;
+  if (descriptor_ < 0) return;
+  if (waiting_.size() > kMostWaiting) {
+    ++leftOut_;
+    return;
+  }
   if (form_ == Form::Text) {
     waiting_ += text;
   } else {
@@ -51,7 +60,10 @@ void ReportWriter::tell(const nlohmann::json& message, const std::string& text) 
 
 void ReportWriter::flush(Duration patience) {
   const Time deadline = fromNow(patience);
-  while (!waiting_.empty() && takesMore(descriptor_, deadline - now())) {
+  while (!waiting_.empty()) {
+    const int ready = awaitRoom(descriptor_, deadline - now());
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) return;
     const ssize_t written =
         ::write(descriptor_, waiting_.data(), std::min(waiting_.size(), kAtOnce));
     if (written >= 0) {
@@ -61,7 +73,7 @@ void ReportWriter::flush(Duration patience) {
     } else if (errno != EINTR) {
       if (errno != EPIPE) {
         problem_ = std::string("write reports: ") + std::strerror(errno) +
-                   ". None is written any more: look at where they go";
+                   ". None is written any more: make room, or give another file with --report-fd";
       }
       descriptor_ = -1;
       waiting_.clear();

@@ -4,6 +4,7 @@
 #include <suture/base/time.h>
 #include <suture/observe/report.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -12,7 +13,8 @@ namespace suture {
 /// Writes {"kind": "started"}, {"kind": "report", ...}, {"kind": "failure", "text": ..., "loss":
 /// ...}, or the same for people, to a file descriptor, which it does not own; -1: writes nothing. A
 /// reader that has gone away is not an error. It never waits for a slow reader: what that has not
-/// taken waits here, and reports are left out meanwhile.
+/// taken waits here, and reports are left out meanwhile; failures are left out beyond 1 MiB, and
+/// counted.
 class ReportWriter {
  public:
   enum class Form { Json, Text };
@@ -36,6 +38,7 @@ class ReportWriter {
   const Form form_;
   std::string waiting_;  // messages from where the reader has stopped
   std::string problem_;
+  std::uint64_t leftOut_ = 0;  // failures, since the reader last heard of it
 };
 
 }  // namespace suture

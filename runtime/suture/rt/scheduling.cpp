@@ -34,7 +34,9 @@ void prioritize(const std::string& name, const Scheduling& scheduling) {
   throw SetupError("cannot give the thread of " + name + " " + (fifo ? "SCHED_FIFO" : "SCHED_RR") +
                        " priority " + std::to_string(scheduling.priority),
                    std::strerror(error),
-                   "Grant real-time priorities (ulimit -r, CAP_SYS_NICE) or leave it out");
+                   error == EINVAL
+                       ? "Give a priority from 1 to 99"
+                       : "Grant real-time priorities (ulimit -r, CAP_SYS_NICE) or leave it out");
 }
 
 /// Is the kernel's struct sched_attr, which glibc 2.36 does not declare.

@@ -44,9 +44,11 @@ TestClock::Process::Process(TestClock& clock)
     : scheduler_(*clock.scheduler_), number_(scheduler_.addProcess()) {}
 
 void TestClock::Process::run(const std::function<void()>& work) {
-  Scheduler::enterProcess(number_);
+  const struct Inside {
+    explicit Inside(std::size_t process) { Scheduler::enterProcess(process); }
+    ~Inside() { Scheduler::enterProcess(0); }  // also when `work` throws
+  } inside(number_);
   work();
-  Scheduler::enterProcess(0);
 }
 
 void TestClock::Process::freeze() { scheduler_.freeze(number_); }

@@ -66,7 +66,7 @@ class TestClock {
   /// if it does not hold after `limit`.
   template <class Condition>
   bool until(const Condition& condition, Duration limit = std::chrono::seconds(10)) {
-    const Time deadline = now() + limit;
+    const Time deadline = fromNow(limit);
     while (!condition()) {
       if (now() >= deadline) return false;
       advance(kStep);

@@ -13,20 +13,20 @@ MpscRing::MpscRing(std::size_t cells, std::size_t cellSize, Arena& arena)
       stride_(sizeof(std::uint64_t) + ((cellSize + 7) & ~std::size_t{7})),
       data_(arena.take((mask_ + 1) * stride_)) {
   if (!arena.fresh()) return;
-  for (std::uint64_t i = 0; i <= mask_; ++i) new (&turnAt(i)) std::atomic<std::uint64_t>(i);
+  for (std::uint64_t i = 0; i <= mask_; ++i) new (&sequenceAt(i)) std::atomic<std::uint64_t>(i);
 }
 
 bool MpscRing::pending() const {
-  return turnAt(head_).load(std::memory_order_acquire) == head_ + 1;
+  return sequenceAt(head_).load(std::memory_order_acquire) == head_ + 1;
 }
 
 void MpscRing::release(std::uint64_t place) {
-  auto& turn = turnAt(place);
-  turn.store(turn.load(std::memory_order_relaxed) + mask_ + 1, std::memory_order_release);
+  auto& sequence = sequenceAt(place);
+  sequence.store(sequence.load(std::memory_order_relaxed) + mask_ + 1, std::memory_order_release);
 }
 
 void MpscRing::pop() {
-  turnAt(head_).store(head_ + mask_ + 1, std::memory_order_release);
+  sequenceAt(head_).store(head_ + mask_ + 1, std::memory_order_release);
   ++head_;
 }
 

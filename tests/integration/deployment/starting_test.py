@@ -95,7 +95,7 @@ class Starting(Stations):
                                        "--report-fd", str(full.fileno()), pass_fds=(full.fileno(),))
             problems = station.communicate(timeout=60)[1]
         self.assertEqual((station.returncode, problems),
-                         (1, "one: write reports: No space left on device. None is written any more: look at where they go\n"))
+                         (1, "one: write reports: No space left on device. None is written any more: make room, or give another file with --report-fd\n"))
 
     def await_line(self, station, end):
         for line in station.stderr:

@@ -79,6 +79,25 @@ TEST_P(SlowReader, GetsEveryMessageWholeAndLeavesReportsOut) {
   EXPECT_EQ(kindsIn(pipe.take()), (std::vector<std::string>{"started", "failure", "report"}));
 }
 
+TEST_P(SlowReader, IsToldHowManyFailuresItMissed) {
+  Pipe pipe(GetParam());
+  pipe.fill();
+  ReportWriter writer(pipe.writer(), ReportWriter::Form::Json);
+  writer.failure(std::string(2 << 20, 'x'));
+  for (int i = 0; i < 3; ++i) writer.failure("lost");
+  pipe.take();
+  std::string all;
+  for (std::string part; !all.ends_with("\n"); all += part) {
+    writer.flush();
+    part = pipe.take();
+  }
+  EXPECT_EQ(kindsIn(all), std::vector<std::string>{"failure"});
+  writer.report({});
+  const std::string rest = pipe.take();
+  EXPECT_EQ(kindsIn(rest), (std::vector<std::string>{"failure", "report"}));
+  EXPECT_NE(rest.find("3 failures are left out here"), std::string::npos) << rest;
+}
+
 TEST_P(SlowReader, GetsWhatIsLongerThanThePipe) {
   Pipe pipe(GetParam());
   ReportWriter writer(pipe.writer(), ReportWriter::Form::Json);
@@ -113,9 +132,9 @@ TEST(ReportWriter, AFileThatTakesNoMoreIsToldOnce) {
   ASSERT_GE(full, 0);
   ReportWriter writer(full, ReportWriter::Form::Text);
   writer.failure("x");
-  EXPECT_EQ(
-      writer.takeProblem(),
-      "write reports: No space left on device. None is written any more: look at where they go");
+  EXPECT_EQ(writer.takeProblem(),
+            "write reports: No space left on device. None is written any more: make room, or give "
+            "another file with --report-fd");
   writer.failure("x");
   EXPECT_EQ(writer.takeProblem(), "");
   close(full);

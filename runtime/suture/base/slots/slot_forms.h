@@ -18,9 +18,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <ratio>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace suture {
 
@@ -175,6 +177,12 @@ void load(double slot, std::chrono::duration<Rep, Period>& value) {
 }
 template <class Rep, class Period>
 bool store(std::chrono::duration<Rep, Period> value, std::int64_t& slot) {
+  using Factor = std::ratio_divide<Period, std::nano>;
+  if constexpr (Factor::num > Factor::den) {  // its longest may be more nanoseconds than fit
+    constexpr std::int64_t most =
+        std::chrono::nanoseconds::max().count() / Factor::num * Factor::den;
+    if (std::cmp_greater(value.count(), most) || std::cmp_less(value.count(), -most)) return false;
+  }
   slot = std::chrono::duration_cast<std::chrono::nanoseconds>(value).count();
   return true;
 }

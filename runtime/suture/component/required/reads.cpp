@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstring>
 #include <string>
 
 namespace suture {
@@ -76,19 +77,22 @@ Sample<void> Reads::readRow(const Time* at, std::span<const std::uint16_t> comma
     const Errc error = ask(commands[i], device);
     if (device) return error;
     if (error != Errc{} && (at != nullptr || !ruledByContract(error))) return error;
-    loss = error;
+    if (error != Errc{}) loss = error;
     byColumn[columnOf(commands[i])] = slots[i];
   }
-  const Channel& channel = *attachment_.channel();
+  Channel& channel = *attachment_.channel();
   const rt::StateTable& state = *channel.state;
   const std::span<std::byte* const> wanted = std::span(byColumn).first(state.columns());
   const rt::StateTable::Row row =
       at == nullptr ? state.readRow(wanted) : state.readRowAt(*at, wanted);
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    if (const Errc error = row.missing(columnOf(commands[i])); error != Errc{}) {
-      return whyNot(error);
+    const unsigned column = columnOf(commands[i]);
+    if (const Errc error = row.missing(column); error != Errc{}) return whyNot(error);
+    if (slots[i] != byColumn[column]) {  // it is asked for twice
+      std::memcpy(slots[i], byColumn[column], state.columnSize(column));
     }
     if (!admits(commands[i], slots[i])) return whyNot(Errc::Invalid);
+    countRead(channel, column);
   }
   if (loss != Errc{}) return fallBack(channel.terms.watch->contract.onLoss, loss, row.stamp);
   if (at != nullptr) return Sample<void>(row.stamp);

@@ -4,7 +4,10 @@
 #include <suture/component/task/event_task.h>
 
 #include <cstdint>
+#include <exception>
 #include <future>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "bench/block_loop.suture.h"
@@ -19,9 +22,11 @@ class BlockClient final : public suture::EventTask {
   using Samples = std::vector<std::int64_t>;
 
   BlockClient(int cpu, std::size_t bytes, std::size_t skipped, std::size_t samples)
-      : EventTask({.scheduling = {.processor = cpu}}), skipped_(skipped) {
+      : EventTask({.scheduling = {.processor = cpu}}),
+        skipped_(skipped),
+        rounds_(skipped + samples) {
     block_.bytes.assign(bytes, 0xa5);
-    elapsed_.reserve(skipped + samples);
+    elapsed_.reserve(rounds_);
     server.on().echo([this](const typename Contract::Block&) { arrived(); });
   }
   ~BlockClient() override { stop(); }
@@ -39,11 +44,14 @@ class BlockClient final : public suture::EventTask {
  private:
   void send() {
     sent_ = suture::now();
-    server.bounce(block_);
+    if (const auto sent = server.bounce(block_); !sent) {
+      finished_.set_exception(std::make_exception_ptr(std::runtime_error(
+          std::string("a block was not sent: ") + suture::toString(sent.error()))));
+    }
   }
   void arrived() {
     elapsed_.push_back((suture::now() - sent_).count());
-    if (elapsed_.size() < elapsed_.capacity()) return send();
+    if (elapsed_.size() < rounds_) return send();
     finished_.set_value(
         Samples(elapsed_.begin() + static_cast<std::ptrdiff_t>(skipped_), elapsed_.end()));
   }
@@ -51,7 +59,7 @@ class BlockClient final : public suture::EventTask {
   typename Contract::Block block_;
   suture::Time sent_{};
   bool begun_ = false;
-  const std::size_t skipped_;
+  const std::size_t skipped_, rounds_;
   Samples elapsed_;
   std::promise<Samples> finished_;
 };
