@@ -215,8 +215,8 @@ class Run {
   bool reportsLost_ = false;
 };
 
-// A component takes about five descriptors, and the usual soft limit is 1024. It is that low for
-// programs that use select(), which this one does not.
+// Components and their connections take descriptors, and the usual soft limit is 1024. It is that
+// low for programs that use select(), which this one does not.
 void allowAllDescriptors() {
   rlimit limit;
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
