@@ -18,7 +18,8 @@ class Frontend::Implementation {
     if (!unit_.parse()) return false;
     clang::CompilerInstance& compiler = unit_.compiler();
     HeaderTable headers(compiler.getSourceManager(),
-                        compiler.getPreprocessor().getHeaderSearchInfo(), request_.baseDirectory);
+                        compiler.getPreprocessor().getHeaderSearchInfo(), unit_.includes(),
+                        request_.baseDirectory);
     for (const std::string& header : request_.headers) headers.addOwn(header);
     model::Diagnostics findings;
     model_ = mapUnit(compiler.getSema(), unit_.includes(), headers, table_, unit_.annotationUses(),

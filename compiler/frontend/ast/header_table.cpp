@@ -21,8 +21,11 @@ std::optional<std::string> below(const std::string& directory, llvm::StringRef f
 }  // namespace
 
 HeaderTable::HeaderTable(const clang::SourceManager& sources, clang::HeaderSearch& search,
-                         std::string baseDirectory)
-    : sources_(sources), search_(search), baseDirectory_(std::move(baseDirectory)) {}
+                         const Includes& includes, std::string baseDirectory)
+    : sources_(sources),
+      search_(search),
+      includes_(includes),
+      baseDirectory_(std::move(baseDirectory)) {}
 
 bool HeaderTable::addOwn(const std::string& header) {
   const auto file = sources_.getFileManager().getOptionalFileRef(header);
@@ -42,15 +45,15 @@ model::Header& HeaderTable::of(const clang::Decl* declaration) {
   if (added) {
     entry->second.own = false;
     if (file) {
-      entry->second.path = pathOf(*file);
+      const std::optional<std::string> included = includes_.pathOf(*file);
+      entry->second.path = included ? *included : pathOf(*file);
       entry->second.file = file->getName().str();
     }
   }
   return entry->second;
 }
 
-// In one tree all targets share the base directory; a header from elsewhere is known by its include
-// path.
+// Where all targets of a tree share the base directory, this is true of a foreign header as well.
 std::string HeaderTable::pathOf(clang::FileEntryRef file) const {
   if (auto relative = below(baseDirectory_, file.getName())) return *relative;
   return search_.suggestPathToFileForDiagnostics(file, "");

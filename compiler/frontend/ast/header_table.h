@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/frontend/ast/includes.h"
 #include "compiler/model/model.h"
 
 namespace suture::compiler::frontend {
@@ -16,7 +17,7 @@ namespace suture::compiler::frontend {
 class HeaderTable {
  public:
   HeaderTable(const clang::SourceManager& sources, clang::HeaderSearch& search,
-              std::string baseDirectory);
+              const Includes& includes, std::string baseDirectory);
 
   /// Adds a header of the target itself. Returns false if there is no such file.
   bool addOwn(const std::string& header);
@@ -32,6 +33,7 @@ class HeaderTable {
 
   const clang::SourceManager& sources_;
   clang::HeaderSearch& search_;
+  const Includes& includes_;
   std::string baseDirectory_;
   std::map<const clang::FileEntry*, model::Header> headers_;
 };

@@ -1,11 +1,14 @@
 #pragma once
-// This knows which header includes which, also if a guard skipped the second time.
+// This knows which header includes which, also if a guard skipped the second time, and by which
+// path.
 
 #include <clang/Basic/FileEntry.h>
 #include <clang/Lex/Preprocessor.h>
 
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
 
 namespace suture::compiler::frontend {
 
@@ -18,6 +21,12 @@ class Includes {
   /// one that includes it: only these declare what is generated.
   bool throughGenerated(clang::FileEntryRef from, clang::FileEntryRef header) const;
 
+  /// Returns the path below a directory of the include path at which `header` was found, or nothing
+  /// if it was found beside its includers only. A target whose include root is another one than
+  /// that of `header` cannot tell it from where the file lies. What is generated lies at one path
+  /// alone, so an include of that says it, and one of the header itself only if there is no other.
+  std::optional<std::string> pathOf(clang::FileEntryRef header) const;
+
  private:
   class Watcher;
   using Files = std::set<const clang::FileEntry*>;
@@ -26,6 +35,9 @@ class Includes {
 
   std::map<const clang::FileEntry*, Files> included_;
   Files generated_;
+  using Paths = std::map<const clang::FileEntry*, std::string>;
+  Paths paths_;           // by header
+  Paths generatedPaths_;  // by header, as an include of its generated header says them
 };
 
 }  // namespace suture::compiler::frontend

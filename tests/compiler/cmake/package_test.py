@@ -73,6 +73,18 @@ def installed_contract(arguments):
     counts(project.build_folder)
 
 
+def folders(arguments):
+    """Builds targets whose include roots are one below the other, so one root alone does not tell the path of a header."""
+    project = consumer(arguments, "folders")
+    project.configure()
+    project.must_build("update-lock", "update-lock")
+    lock = (project.root / "schemas/grasp.capnp").read_text(encoding="utf-8")
+    expect('import "/robot/force.capnp"' in lock, "a header below imports one above by the include root of that one", lock)
+    lock = (project.root / "schemas/cell/cell.capnp").read_text(encoding="utf-8")
+    expect('import "/grasp.capnp"' in lock, "and a header above one below", lock)
+    project.must_build("builds with the include root that each target has by default")
+
+
 def robots(arguments):
     """Builds a project with a package in a folder whose name has a space."""
     spaced = arguments.scratch / "a prefix"
@@ -171,7 +183,7 @@ def without_suturec(arguments):
 
 
 SCENARIOS = {scenario.__name__: scenario for scenario in (
-    installed_tree, one_target, two_targets, shared_library, installed_contract, robots, shared_cross_build,
+    installed_tree, one_target, two_targets, shared_library, installed_contract, folders, robots, shared_cross_build,
     shared_package, without_suturec)}
 
 

@@ -1,0 +1,10 @@
+#pragma once
+#include <suture/annotate.h>
+
+namespace folders {
+
+struct SUTURE_TYPE() Force {
+  double newtons = 0;
+};
+
+}  // namespace folders
