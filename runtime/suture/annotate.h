@@ -14,8 +14,11 @@
 //   };
 
 #include <chrono>
+#include <string_view>
 
 namespace suture {
+
+class Component;
 
 /// Declares an event inside a contract. It is a tag without state: only Provided emits an event,
 /// only Required subscribes to one. `EventOf<>` is a void event, `EventOf<T>` and `EventOf<T, U>`
@@ -34,6 +37,46 @@ struct Wire;
 /// Is written by suturec, and reaches the members of a T that has SUTURE_FRIEND().
 template <class T>
 struct Members;
+
+#ifdef SUTUREC  // it reads headers before anything is generated from them
+template <class>
+inline constexpr bool hasGeneratedHeader = true;
+#else
+template <class>
+inline constexpr bool hasGeneratedHeader = false;
+#endif
+
+/// Stands in each template that suturec specialises for `Declared`, in the header that it
+/// generates: who uses one without that is told so.
+template <class Declared>
+struct Generated {
+  static_assert(hasGeneratedHeader<Declared>,
+                "include \"X.suture.h\" in place of the \"X.h\" that declares it: the build writes "
+                "X.suture.h, which includes X.h");
+  /// Is what a function returns that has to be specialised.
+  template <class Result>
+  static Result result();
+};
+
+/// Is a component's required interface of type Contract. Each contract's generated header
+/// specialises it:
+///   Required<Arm> slave_{*this, "Slave"};
+///   slave_.servo_cp(goal);
+template <class Contract>
+class Required : Generated<Contract> {
+ public:
+  Required(Component& owner, std::string_view name);
+};
+
+/// Is a component's provided interface of type Contract. Each contract's generated header
+/// specialises it:
+///   Provided<Arm> arm_{*this, "Arm", *this};
+///   arm_.emit().operating_state(value);
+template <class Contract>
+class Provided : Generated<Contract> {
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation);
+};
 
 }  // namespace suture
 

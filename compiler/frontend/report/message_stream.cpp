@@ -10,12 +10,6 @@ namespace {
 
 constexpr llvm::StringLiteral kUnknownArgument = "error: no member named '";
 
-/// Tells if the line says that what is generated from a contract's header is not known.
-bool lacksGenerated(llvm::StringRef line) {
-  return line.contains("error: no template named 'Required' in namespace 'suture'") ||
-         line.contains("error: no template named 'Provided' in namespace 'suture'");
-}
-
 }  // namespace
 
 MessageStream::MessageStream(llvm::raw_ostream& out, std::string unitName)
@@ -47,11 +41,6 @@ void MessageStream::forward(llvm::StringRef line) {
   const std::size_t unknown = line.find(kUnknownArgument);
   if (unknown == llvm::StringRef::npos) {
     out_ << line << '\n';
-    if (lacksGenerated(line)) {
-      advice_ = line.take_front(line.find("error: ")).str() +
-                "note: include what is generated from the contract's header: 'arm.suture.h' in "
-                "place of 'arm.h'\n";
-    }
     if (excerpt && line.contains('^')) out_ << std::exchange(advice_, "");
   } else {
     forwardUnknown(line.take_front(unknown), line.drop_front(unknown + kUnknownArgument.size()));

@@ -6,6 +6,7 @@
 // and what a compatible edit of the header allows on a connection it allows here, so that a file
 // outlives the header that wrote it. Stamps of the steady clock stay as they are.
 
+#include <suture/annotate.h>
 #include <suture/base/errors.h>
 
 #include <cstddef>
@@ -17,12 +18,16 @@ namespace suture {
 /// Returns the bytes, Errc::TooLarge if a list or text exceeds its capacity, or Errc::Invalid if a
 /// number is outside what the header allows. suturec writes it for each SUTURE_TYPE.
 template <class T>
-Result<std::vector<std::byte>> encode(const T& value) = delete;
+Result<std::vector<std::byte>> encode([[maybe_unused]] const T& value) {
+  return Generated<T>::template result<Result<std::vector<std::byte>>>();
+}
 
 /// Fills `value` and keeps the capacity of its lists. Returns an error, and leaves it as it was, if
 /// the bytes are no such message (Errc::Invalid), or if they hold what the header does not allow:
 /// as encode() does. Bytes of a hostile writer do no harm.
 template <class T>
-Result<> decode(std::span<const std::byte> bytes, T& value) = delete;
+Result<> decode([[maybe_unused]] std::span<const std::byte> bytes, [[maybe_unused]] T& value) {
+  return Generated<T>::template result<Result<>>();
+}
 
 }  // namespace suture

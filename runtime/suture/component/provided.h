@@ -6,6 +6,7 @@
     "emit is a macro here, as of Qt: define QT_NO_KEYWORDS, and write Q_EMIT, Q_SIGNALS and Q_SLOTS"
 #endif
 
+#include <suture/annotate.h>
 #include <suture/base/errors.h>
 #include <suture/component/channel/channel_list.h>
 #include <suture/component/channel/channel_status.h>
@@ -163,21 +164,6 @@ class ProvidedBase {
   struct Latched;
   std::vector<std::unique_ptr<Latched>> latched_;  // by event; null if it is not latched
   std::vector<std::uint64_t> replayed_;            // one payload, for the thread that serves
-};
-
-/// Is a component's provided interface of type Contract. Each contract's generated header
-/// specialises it:
-///   Provided<Arm> arm_{*this, "Arm", *this};
-///   arm_.emit().operating_state(value);
-template <class Contract>
-class Provided {
-#ifndef SUTUREC  // suturec reads contracts before their generated headers exist
-  static_assert(
-      sizeof(Contract) == 0,
-      "the contract's generated header is missing: include \"X.suture.h\" beside \"X.h\"");
-#endif
- public:
-  Provided(Component& owner, std::string_view name, Contract& implementation);
 };
 
 }  // namespace suture

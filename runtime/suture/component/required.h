@@ -1,6 +1,7 @@
 #pragma once
 // A component's code calls a required interface, whatever provides it and wherever that runs.
 
+#include <suture/annotate.h>
 #include <suture/base/errors.h>
 #include <suture/component/component.h>
 #include <suture/component/contract/declared_frames.h>
@@ -133,21 +134,6 @@ class RequiredBase : protected RequiredParts {
   std::atomic<bool> expected_ = false;
   Duration maxAge_{0};
   DeclaredFrames frames_;
-};
-
-/// Is a component's required interface of type Contract. Each contract's generated header
-/// specialises it:
-///   Required<Arm> slave_{*this, "Slave"};
-///   slave_.servo_cp(goal);
-template <class Contract>
-class Required {
-#ifndef SUTUREC  // suturec reads contracts before their generated headers exist
-  static_assert(
-      sizeof(Contract) == 0,
-      "the contract's generated header is missing: include \"X.suture.h\" beside \"X.h\"");
-#endif
- public:
-  Required(Component& owner, std::string_view name);
 };
 
 }  // namespace suture

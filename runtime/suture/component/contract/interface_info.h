@@ -1,6 +1,7 @@
 #pragma once
 // The runtime knows this of a contract: plain tables that suturec writes.
 
+#include <suture/annotate.h>
 #include <suture/base/field_path.h>
 #include <suture/base/slots/bounded_level.h>
 #include <suture/base/time.h>
@@ -123,6 +124,8 @@ void* castToBase(void* implementation) {
 /// Returns the tables of `Contract`. Each contract's generated header "X.suture.h" declares its
 /// own.
 template <class Contract>
-const InterfaceInfo& interfaceInfo() = delete;
+const InterfaceInfo& interfaceInfo() {
+  return Generated<Contract>::template result<const InterfaceInfo&>();
+}
 
 }  // namespace suture

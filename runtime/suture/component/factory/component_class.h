@@ -2,6 +2,7 @@
 // A deployment creates components by class name. suturec writes componentClass<T>() for each
 // SUTURE_COMPONENT; a program lists the classes that it offers; no class registers itself.
 
+#include <suture/annotate.h>
 #include <suture/component/component.h>
 
 #include <initializer_list>
@@ -28,6 +29,8 @@ void limitAge(Component& component, std::string_view required, Duration maxAge);
 
 /// Returns the class `T`. Each component's generated header "X.suture.h" declares its own.
 template <class T>
-ComponentClass componentClass() = delete;
+ComponentClass componentClass() {
+  return Generated<T>::template result<ComponentClass>();
+}
 
 }  // namespace suture

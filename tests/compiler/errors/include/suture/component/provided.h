@@ -1,11 +1,3 @@
 #pragma once
-#include <string_view>
-
+#include <suture/annotate.h>
 #include <suture/component/component.h>
-namespace suture {
-template <class Contract>
-class Provided {
- public:
-  Provided(Component&, std::string_view, Contract&);
-};
-}  // namespace suture
