@@ -137,6 +137,22 @@ def installed_tree(arguments):
     expect(status != 0 and "LANGUAGES C CXX" in text, "find_package tells a project without C what to do", text)
 
 
+def default_build(arguments):
+    """Asks what a build for use makes of Suture without being told a target: nothing that is only for its development."""
+    build = empty(arguments.scratch / "default build")
+    succeed("configures Suture without tests", ["cmake", "-S", TREE, "-B", build, "-G", "Ninja", "-DSUTURE_BUILD_TESTS=OFF"])
+
+    def makes(target):
+        return succeed(f"ninja tells what {target} needs", ["ninja", "-C", build, "-t", "inputs", target])
+    made = makes("all")
+    expect("/suture-demo.dir/demo.cpp.o" in made, "a build makes what is installed", made)
+    bench = [file for file in made.splitlines() if file.startswith("tests/bench/")]
+    expect(not bench, "and no benchmark", "\n".join(bench[:5]))
+    measured = makes("suture-bench")
+    expect("components/robots.suture.stamp" in measured and "bin/empty-consumer" in measured,
+           "the target suture-bench makes all that it measures", measured)
+
+
 def shared_cross_build(arguments):
     """Builds Suture itself, shared and without LLVM, as for another machine: by the suturec of this one."""
     build = empty(arguments.scratch / "shared cross build")
@@ -183,8 +199,8 @@ def without_suturec(arguments):
 
 
 SCENARIOS = {scenario.__name__: scenario for scenario in (
-    installed_tree, one_target, two_targets, shared_library, installed_contract, folders, robots, shared_cross_build,
-    shared_package, without_suturec)}
+    installed_tree, one_target, two_targets, shared_library, installed_contract, folders, robots, default_build,
+    shared_cross_build, shared_package, without_suturec)}
 
 
 def main():
