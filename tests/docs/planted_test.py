@@ -1,5 +1,6 @@
 """Each fault of a page in planted/ is reported, and a page without one is done: planted_test.py --scratch S"""
 
+import argparse
 import concurrent.futures
 import pathlib
 import subprocess
@@ -7,8 +8,6 @@ import sys
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
-SCRATCH = pathlib.Path(sys.argv.pop()).resolve()
-sys.argv.pop()
 PATIENCE = {"never_ready": 0.1, "wrong_later_output": 5, "deaf": 5}  # s; of the faults here, only silence has to be waited for
 
 FAULTS = {
@@ -46,6 +45,11 @@ class Planted(unittest.TestCase):
     def test_each_page_has_its_fault_named_here(self):
         self.assertEqual({page.stem for page in (HERE / "planted").glob("*.md")}, {"sound", *FAULTS})
 
+    def test_it_says_how_it_is_run(self):
+        done = subprocess.run([sys.executable, __file__], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("usage: planted_test.py [-h] --scratch SCRATCH", done.stderr)
+
     def test_a_sound_page(self):
         status, said = do("sound")
         self.assertEqual(status, 0, said)
@@ -61,4 +65,8 @@ class Planted(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--scratch", type=pathlib.Path, required=True)
+    options, rest = parser.parse_known_args()
+    SCRATCH = options.scratch.resolve()
+    unittest.main(argv=[sys.argv[0], *rest])
