@@ -137,6 +137,26 @@ def installed_tree(arguments):
     expect(status != 0 and "LANGUAGES C CXX" in text, "find_package tells a project without C what to do", text)
 
 
+def capnproto(arguments):
+    """Finds Cap'n Proto once more behind Suture, and in a folder below; its own package fails where it is found twice."""
+    root = empty(arguments.scratch / "capnproto behind")
+    find = "find_package(Suture REQUIRED)\nfind_package(CapnProto 0.9 REQUIRED)\nfind_package(CapnProto REQUIRED)\n"
+    (root / "below").mkdir()
+    (root / "below/CMakeLists.txt").write_text(find, encoding="utf-8")
+    (root / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(behind LANGUAGES C CXX)\n"
+                                         f"add_subdirectory(below)\n{find}", encoding="utf-8")
+    project = Project(root, arguments.package)
+
+    def found_in():
+        cache = (project.build_folder / "CMakeCache.txt").read_text(encoding="utf-8")
+        return pathlib.Path(re.search(r"^CapnProto_DIR:PATH=(.*)$", cache, re.M).group(1))
+    project.configure()
+    own = shutil.copytree(found_in(), root / "own")
+    project.configure(f"-DCapnProto_DIR={own}")
+    project.configure()
+    expect(found_in() == own, "the package of Cap'n Proto that a user names stays the one", str(found_in()))
+
+
 def default_build(arguments):
     """Asks what a build for use makes of Suture without being told a target: nothing that is only for its development."""
     build = empty(arguments.scratch / "default build")
@@ -199,8 +219,8 @@ def without_suturec(arguments):
 
 
 SCENARIOS = {scenario.__name__: scenario for scenario in (
-    installed_tree, one_target, two_targets, shared_library, installed_contract, folders, robots, default_build,
-    shared_cross_build, shared_package, without_suturec)}
+    installed_tree, one_target, two_targets, shared_library, installed_contract, folders, robots, capnproto,
+    default_build, shared_cross_build, shared_package, without_suturec)}
 
 
 def main():
