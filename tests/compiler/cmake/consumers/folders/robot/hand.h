@@ -3,6 +3,7 @@
 #include <suture/component/task/event_task.h>
 
 #include "grasp.h"
+#include "gripper.h"  // it is found below this target's include root as well; the next line says its path
 #include "robot/gripper.suture.h"
 
 namespace folders {
