@@ -45,6 +45,9 @@ build() (
 for argument in "$@"; do
   case "$argument" in -h | --help) usage; exit 0 ;; esac
 done
+if [ ! -e "$root/CMakePresets.json" ]; then  # this is an installed copy, and the demo is installed too
+  exec "$root"/../../../bin/suture-demo "$@"
+fi
 # suturec's LLVM 19 is not needed: without it the committed generated/ is compiled.
 "$root/.ci/install" build
 build

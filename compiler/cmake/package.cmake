@@ -56,8 +56,15 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/suture/ ${PROJECT_SOURCE_DIR}/sc
 install(FILES ${PROJECT_SOURCE_DIR}/schemas/deployment.schema.json ${PROJECT_SOURCE_DIR}/schemas/policy.schema.json
   DESTINATION share/suture)
 # The documents lie as in the source tree, since they link each other and the examples.
-install(FILES README.md SECURITY.md CHANGELOG.md LICENSE DESTINATION share/doc/suture)
-install(DIRECTORY docs examples DESTINATION share/doc/suture PATTERN site EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(FILES SECURITY.md CHANGELOG.md LICENSE DESTINATION share/doc/suture)
+install(DIRECTORY docs examples DESTINATION share/doc/suture PATTERN site EXCLUDE PATTERN __pycache__ EXCLUDE
+  PATTERN *.sh PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+# The README leads to these, so they are there without what they are about.
+foreach(page README.md CONTRIBUTING.md compiler/README.md compiler/cmake/README.md components/README.md runtime/README.md
+    runtime/cli/README.md runtime/gdb/README.md runtime/suture/README.md runtime/suture/standard/README.md tests/bench/README.md)
+  get_filename_component(folder ${page} DIRECTORY)
+  install(FILES ${page} DESTINATION share/doc/suture/${folder})
+endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/runtime/gdb/suture_printers.py DESTINATION share/suture/gdb)
 if(TARGET suturec)
   # This is where suturec looks first: clang's own headers stay with it.

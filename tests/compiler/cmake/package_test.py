@@ -110,6 +110,23 @@ def missing_headers(include):
     return sorted(missing)
 
 
+def dead_links(prefix):
+    """Returns the relative links of installed documents that lead to nothing there; a folder is something to read by its README."""
+    dead = []
+    for page in prefix.rglob("*.md"):
+        text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+        for link in re.findall(r"\]\(([^)\s#]+)", text):
+            to = page.parent / link
+            if not re.match(r"[a-z]+:", link) and not (to / "README.md" if to.is_dir() else to).exists():
+                dead.append(f"{page.relative_to(prefix)} leads to {link}")
+    return sorted(dead)
+
+
+def is_script(file):
+    with file.open("rb") as begin:
+        return begin.read(2) == b"#!"
+
+
 def installed_tree(arguments):
     prefix = arguments.package
     for program in ("suturec", "suture", "suture-manager", "suture-workstation", "suture-demo"):
@@ -121,11 +138,12 @@ def installed_tree(arguments):
     strangers = [file for file in ours if any(folder in file.read_text(encoding="utf-8") for folder in build_folders)]
     expect(ours and not strangers, "no file of the package names a folder of the build", str(strangers))
 
-    documents = prefix / "share/doc/suture"
-    links = [(page, link) for folder in ("docs", "examples") for page in (documents / folder).rglob("*.md")
-             for link in re.findall(r"\]\(([^):# ]+[.](?:md|json|png|svg))", page.read_text(encoding="utf-8"))]
-    broken = [f"{page} leads to {link}" for page, link in links if not (page.parent / link).exists()]
-    expect(links and not broken, "installed documents lead to installed documents", str(broken))
+    expect(not dead_links(prefix), "installed documents lead to what is installed", "\n".join(dead_links(prefix)))
+    scripts = [file for file in (prefix / "share").rglob("*") if file.is_file() and is_script(file)]
+    unready = [str(file) for file in scripts if not os.access(file, os.X_OK)]
+    expect(scripts and not unready, "installed scripts can be run", str(unready))
+    text = succeed("the demo's script starts", [prefix / "share/doc/suture/examples/demo.sh", "--compare", "fig3a", "fig3b"])
+    expect("fig3b" in text, "and runs the installed demo", text)
 
     missing = missing_headers(prefix / "include")
     expect(not missing, "each header that an installed one includes is installed", str(missing))
