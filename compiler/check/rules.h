@@ -31,6 +31,9 @@ void checkExchanges(const model::Header& header, model::Diagnostics& findings);
 /// within their ranges.
 void checkNumbers(const model::Header& header, model::Diagnostics& findings);
 
+/// Warns of fields that nothing initialises: what their memory held would be sent.
+void checkInitialisers(const model::Header& header, model::Diagnostics& findings);
+
 /// Checks that queue(), latest() and ttl() stand where they mean something, and that none excludes
 /// another.
 void checkQueues(const model::Header& header, model::Diagnostics& findings);

@@ -92,7 +92,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--explain", options.explain, "Print the page of a diagnostic, and end");
   app.add_flag("--list-outputs", options.listOutputs,
                "Print the endings of what a header gives, each behind its use, and end");
-  app.add_flag("--fix", options.fix, "Apply the fix-its of errors to the headers");
+  app.add_flag("--fix", options.fix, "Apply the fix-its of errors and warnings to the headers");
   app.add_option("--fatal", options.fatalWarnings,
                  "Slug of a warning that is an error here, or all")
       ->allow_extra_args(false);

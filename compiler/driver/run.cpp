@@ -203,8 +203,9 @@ class Run {
 int run(const Options& options) {
   checkHeaders(options);
   Run run(options);
-  if (run.execute()) return 0;
+  const bool isClean = run.execute();
   if (options.fix) return run.applyFixes() ? 0 : 1;
+  if (isClean) return 0;
   std::cerr << "suturec: nothing was written for target '" << options.targetName << "'\n";
   return 1;
 }

@@ -11,6 +11,7 @@
 #include "compiler/frontend/ast/names.h"
 #include "compiler/frontend/types/scalars.h"
 #include "compiler/frontend/types/type_mapper.h"
+#include "compiler/frontend/unset_fields.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::frontend {
@@ -197,6 +198,7 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   const Default standard = defaultOf(declaration, field.type);
   field.defaultJson = standard.json;
   field.isPreset = isPreset(declaration);
+  if (!candidate.isExternal) field.unset = unsetState(declaration, field.type, mapping);
   field.doc = mapping.documentationOf(declaration);
   field.source = mapping.sourceOf(candidate.field);
   checkDefault(candidate, standard.state, mapping);

@@ -114,8 +114,12 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   }
 
   void add(const DataDeclaration& declared) {
-    add(&model::Header::structs, mapStructDeclaration(declared, mapping_), declared.record,
-        declared.place);
+    model::Struct mapped = mapStructDeclaration(declared, mapping_);
+    if (!headers_.isOwn(
+            declared.record)) {  // a template of another target, which has an alias here
+      for (model::Field& field : mapped.fields) field.unset.reset();
+    }
+    add(&model::Header::structs, std::move(mapped), declared.record, declared.place);
   }
 
   void add(const EnumDeclaration& declared) {

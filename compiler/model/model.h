@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/model/diagnostic.h"
 #include "compiler/model/type.h"
 
 namespace suture::compiler::model {
@@ -30,6 +31,12 @@ struct Limits {
   std::optional<std::pair<double, double>> range;
 };
 
+/// Says of a field that nothing gives it a value, and how that could be done.
+struct Unset {
+  std::string setting;     ///< what C++ would have behind it: "= 0"; "" = a person has to decide
+  std::optional<Fix> fix;  ///< that writes it there, where that is possible
+};
+
 struct Field {
   std::string name;  ///< C++ name; of a base class: the name of its slot
   std::string wireName;
@@ -44,7 +51,8 @@ struct Field {
   /// Is the initialiser as JSON where it is a constant of a number, enum, duration (seconds, exact)
   /// or string; "inf" and "-inf" are words; empty = zero.
   std::string defaultJson;
-  bool isPreset = false;  ///< its struct's constructor may give it more than its type would
+  bool isPreset = false;         ///< its struct's constructor may give it more than its type would
+  std::optional<Unset> unset{};  ///< a new value has whatever its memory held
   Lifecycle lifecycle;
   Documentation doc;
   Source source;

@@ -38,8 +38,7 @@ bool HeaderTable::addOwn(const std::string& header) {
 }
 
 model::Header& HeaderTable::of(const clang::Decl* declaration) {
-  const clang::FileID id = sources_.getFileID(sources_.getExpansionLoc(declaration->getLocation()));
-  const auto file = sources_.getFileEntryRefForID(id);
+  const clang::OptionalFileEntryRef file = fileOf(declaration);
   const auto [entry, added] =
       headers_.try_emplace(file ? &file->getFileEntry() : nullptr, model::Header{});
   if (added) {
@@ -51,6 +50,17 @@ model::Header& HeaderTable::of(const clang::Decl* declaration) {
     }
   }
   return entry->second;
+}
+
+bool HeaderTable::isOwn(const clang::Decl* declaration) const {
+  const clang::OptionalFileEntryRef file = fileOf(declaration);
+  const auto entry = headers_.find(file ? &file->getFileEntry() : nullptr);
+  return entry != headers_.end() && entry->second.own;
+}
+
+clang::OptionalFileEntryRef HeaderTable::fileOf(const clang::Decl* declaration) const {
+  return sources_.getFileEntryRefForID(
+      sources_.getFileID(sources_.getExpansionLoc(declaration->getLocation())));
 }
 
 // Where all targets of a tree share the base directory, this is true of a foreign header as well.

@@ -25,10 +25,14 @@ class HeaderTable {
   /// Returns the header that the declaration stands in, and adds it as foreign if it is new.
   model::Header& of(const clang::Decl* declaration);
 
+  /// Tells if the declaration stands in a header of the target itself.
+  bool isOwn(const clang::Decl* declaration) const;
+
   /// Hands over all headers, sorted by path.
   std::vector<model::Header> take();
 
  private:
+  clang::OptionalFileEntryRef fileOf(const clang::Decl* declaration) const;
   std::string pathOf(clang::FileEntryRef file) const;
 
   const clang::SourceManager& sources_;

@@ -48,14 +48,8 @@ const clang::Expr* inConstructor(const clang::FieldDecl* field) {
 
 // Looks into the pattern, since clang instantiates an initialiser only for a constructor that asks.
 const clang::Expr* inTemplate(const clang::FieldDecl* field) {
-  const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(field->getParent());
-  const clang::CXXRecordDecl* pattern =
-      record ? record->getTemplateInstantiationPattern() : nullptr;
-  if (pattern == nullptr) return nullptr;
-  const auto same =
-      std::find_if(pattern->field_begin(), pattern->field_end(),
-                   [&](const auto* one) { return one->getFieldIndex() == field->getFieldIndex(); });
-  const clang::Expr* found = same == pattern->field_end() ? nullptr : same->getInClassInitializer();
+  const clang::FieldDecl* const pattern = patternOf(field);
+  const clang::Expr* found = pattern == field ? nullptr : pattern->getInClassInitializer();
   return found == nullptr || found->isInstantiationDependent() ? nullptr : found;
 }
 
@@ -101,6 +95,17 @@ const clang::Expr* initialiserOf(const clang::FieldDecl* field) {
   if (!field->hasInClassInitializer()) return nullptr;
   const clang::Expr* found = field->getInClassInitializer();
   return found != nullptr ? found : inTemplate(field);
+}
+
+const clang::FieldDecl* patternOf(const clang::FieldDecl* field) {
+  const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(field->getParent());
+  const clang::CXXRecordDecl* const pattern =
+      record ? record->getTemplateInstantiationPattern() : nullptr;
+  if (pattern == nullptr) return field;
+  const auto same =
+      std::find_if(pattern->field_begin(), pattern->field_end(),
+                   [&](const auto* one) { return one->getFieldIndex() == field->getFieldIndex(); });
+  return same == pattern->field_end() ? field : *same;
 }
 
 bool saysNothing(const clang::Expr* initialiser) {

@@ -11,6 +11,9 @@ namespace suture::compiler::frontend {
 /// the declaration, as in C++.
 const clang::Expr* initialiserOf(const clang::FieldDecl* field);
 
+/// Returns the member of the template that the field is an instance of, else the field itself.
+const clang::FieldDecl* patternOf(const clang::FieldDecl* field);
+
 /// Returns true for "{}", and for a constructor without arguments.
 bool saysNothing(const clang::Expr* initialiser);
 

@@ -122,6 +122,22 @@ TEST(Check, Enums) {
   EXPECT_EQ(slugs(bad), Slugs{});
 }
 
+TEST(Check, FieldsThatNothingInitialisesAreWarnedOf) {
+  model::Header bare = header();
+  model::Field& field = bare.structs[0].fields[0];
+  field.unset = model::Unset{"= 0", {}};
+  const model::Diagnostics findings = check(model::Model{{bare}});
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].slug, "no-initialiser");
+  EXPECT_EQ(findings[0].severity, model::Diagnostic::Severity::Warning);
+  EXPECT_EQ(findings[0].help, "initialise it where it is declared, with '= 0'");
+  field.range = {1, 2};
+  EXPECT_EQ(slugs(bare), Slugs{"default-range"});
+  field.range.reset();
+  bare.own = false;
+  EXPECT_EQ(slugs(bare), Slugs{});
+}
+
 TEST(Check, UnknownUnitNamesTheNearest) {
   model::Header bad = header();
   bad.structs[0].fields[0].unit = "m/sec";

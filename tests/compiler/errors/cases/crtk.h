@@ -6,11 +6,11 @@
 #include <vector>
 namespace demo {
 struct SUTURE_TYPE() Pose {
-  Eigen::Isometry3d pose;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   suture::Time stamp;
 };
 struct SUTURE_TYPE() Twist {
-  Eigen::Vector3d linear, angular;
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
 };
 struct SUTURE_TYPE() Joints {
   SUTURE_FIELD(capacity(8)) std::vector<double> position;

@@ -4,7 +4,7 @@
 #include <array>
 namespace demo {
 struct SUTURE_TYPE() Volume {
-  std::array<std::array<std::array<double, 1024>, 1024>, 1024> voxels;
+  std::array<std::array<std::array<double, 1024>, 1024>, 1024> voxels{};
 };
 template <int Levels>
 struct Nested {
@@ -15,6 +15,6 @@ struct Nested<0> {
   using Type = int;
 };
 struct SUTURE_TYPE() Deep {
-  Nested<70>::Type value;
+  Nested<70>::Type value{};
 };
 }  // namespace demo
