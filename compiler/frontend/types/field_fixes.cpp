@@ -3,6 +3,8 @@
 #include <clang/Basic/SourceManager.h>
 #include <clang/Lex/Lexer.h>
 
+#include "compiler/frontend/ast/default_content.h"
+
 namespace suture::compiler::frontend {
 namespace {
 
@@ -83,11 +85,31 @@ void append(std::vector<model::Fix>& all, std::vector<model::Fix> more) {
   for (model::Fix& fix : more) all.push_back(std::move(fix));
 }
 
-std::vector<model::Fix> ownedInstead(const clang::FieldDecl* field, Mapping& mapping) {
+/// Replaces a pointer to text by a std::string, which a literal initialises as well.
+std::vector<model::Fix> textInstead(const clang::FieldDecl* field, Mapping& mapping) {
   FieldText text(field, mapping);
-  const std::string value =
-      spelled(field->getType()->getPointeeType().getUnqualifiedType(), mapping.context());
-  std::vector<model::Fix> fixes{text.replaceType("std::optional<" + value + ">")};
+  const clang::Expr* const initialiser = field->getInClassInitializer();
+  std::vector<model::Fix> fixes{text.replaceType("std::string")};
+  if (initialiser && !literalIn(initialiser)) append(fixes, text.dropInitialiser());
+  append(fixes, text.include("string"));
+  return fixes;
+}
+
+/// Tells if suturec takes an optional of the type there, or knows what is to be done for it.
+bool mayBeOptional(clang::QualType value, const clang::FieldDecl* field, Mapping& mapping) {
+  if (value->getAsTagDecl() == field->getParent()) return false;  // it is not complete yet
+  const MappedType mapped = mapType(value, mapping.names());
+  const auto* problem = std::get_if<TypeProblem>(&mapped);
+  return !problem || problem->slug == "unannotated-type";
+}
+
+std::vector<model::Fix> ownedInstead(const clang::FieldDecl* field, Mapping& mapping) {
+  const clang::QualType value = field->getType()->getPointeeType().getUnqualifiedType();
+  if (isText(field->getType())) return textInstead(field, mapping);
+  if (!mayBeOptional(value, field, mapping)) return {};
+  FieldText text(field, mapping);
+  std::vector<model::Fix> fixes{
+      text.replaceType("std::optional<" + spelled(value, mapping.context()) + ">")};
   append(fixes, text.dropInitialiser());
   append(fixes, text.include("optional"));
   return fixes;

@@ -112,7 +112,8 @@ MappedType mapCanonical(clang::QualType type, const NamedTypes& names) {
   if (const auto* record = type->getAsCXXRecordDecl()) return mapRecord(record, names);
   if (type->isPointerType() || type->isMemberPointerType() || type->isNullPtrType()) {
     return TypeProblem{"pointer", "ownership of a pointer is unknown",
-                       "store the value itself, or a std::vector of it"};
+                       isText(type) ? "store the text itself: a std::string, with capacity()"
+                                    : "store the value itself, or a std::vector of it"};
   }
   if (type->isReferenceType()) {
     return TypeProblem{"reference", "a reference cannot be decoded into", "store by value"};
@@ -139,6 +140,12 @@ MappedType mapType(clang::QualType type, const NamedTypes& names) {
                        "drop const"};
   }
   return mapCanonical(canonical, names);
+}
+
+bool isText(clang::QualType type) {
+  const clang::QualType value = type->getPointeeType();
+  return !value.isNull() && (value->isSpecificBuiltinType(clang::BuiltinType::Char_S) ||
+                             value->isSpecificBuiltinType(clang::BuiltinType::Char_U));
 }
 
 TypeProblem noWireForm() {

@@ -28,6 +28,9 @@ using MappedType = std::variant<model::Type, TypeProblem>;
 /// Returns the wire view of a type that is held by value; const and references must be off.
 MappedType mapType(clang::QualType type, const NamedTypes& names);
 
+/// Tells if the type is a pointer to char, which mostly means text.
+bool isText(clang::QualType type);
+
 /// Returns the problem of a type that has no form on the wire.
 TypeProblem noWireForm();
 
