@@ -22,8 +22,10 @@ class NumberRule {
   void apply(const std::string& subject, const std::string& unit, const Range& range,
              const model::Source& source) {
     if (!unit.empty() && !isKnownUnit(unit)) {
+      const std::optional<std::string> meant = nearestUnit(unit);
       addError(findings_, source, "unknown-unit", subject + " has the unknown unit '" + unit + "'",
-               "did you mean '" + nearestUnit(unit) + "'?");
+               meant ? "did you mean '" + *meant + "'?"
+                     : "units are those of SI, spelled as in UCUM: 'm', 'rad/s', 'N.m'");
     }
     if (range && !(range->first <= range->second)) {
       addError(

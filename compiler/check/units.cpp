@@ -67,14 +67,16 @@ bool isKnownUnit(std::string_view symbol) {
   }
 }
 
-std::string nearestUnit(std::string_view symbol) {
+std::optional<std::string> nearestUnit(std::string_view symbol) {
   // A person who writes "Nm" forgot the point and does not mean "m", which is as near by letters.
   const auto* pointed = std::find_if(kCommon.begin(), kCommon.end(), [&](string_view unit) {
     std::string plain(unit);
     std::erase(plain, '.');
     return plain == symbol;
   });
-  return std::string(pointed != kCommon.end() ? *pointed : model::nearest(symbol, kCommon));
+  const auto meant =
+      pointed != kCommon.end() ? std::optional(*pointed) : model::nearest(symbol, kCommon);
+  return meant ? std::optional<std::string>(*meant) : std::nullopt;
 }
 
 }  // namespace suture::compiler::check

@@ -17,8 +17,12 @@ int explain(std::string_view slug) {
   }
   std::vector<std::string_view> slugs;
   for (const auto& [known, text] : pages) slugs.push_back(known);
-  std::cerr << "suturec: error: there is no diagnostic '" << slug << "'; did you mean '"
-            << model::nearest(slug, slugs) << "'?\n";
+  std::cerr << "suturec: error: there is no diagnostic '" << slug << "'; ";
+  if (const auto meant = model::nearest(slug, slugs)) {
+    std::cerr << "did you mean '" << *meant << "'?\n";
+  } else {
+    std::cerr << "a message of suturec ends with the name of its own, as in [suture-pointer]\n";
+  }
   return 1;
 }
 

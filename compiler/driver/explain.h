@@ -11,7 +11,8 @@ namespace suture::compiler::driver {
 const std::map<std::string_view, std::string_view>& diagnosticPages();
 
 /// Prints the page of a slug, with or without "suture-" before it. Returns the exit status; if
-/// there is no such page, that is 1, and the nearest slug is on standard error.
+/// there is no such page, that is 1, and standard error says so, with the slug that is likely
+/// meant.
 int explain(std::string_view slug);
 
 }  // namespace suture::compiler::driver

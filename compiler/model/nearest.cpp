@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -23,11 +24,25 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+bool isLikely(std::string_view name, std::string_view known, std::size_t changes) {
+  if (changes == std::max(name.size(), known.size())) return false;
+  const bool isCut = name.starts_with(known) || known.starts_with(name);
+  return isCut || changes <= std::max<std::size_t>(2, name.size() / 3);
+}
+
 }  // namespace
 
-std::string_view nearest(std::string_view name, std::span<const std::string_view> known) {
-  return *std::min_element(known.begin(), known.end(),
-                           [&](auto a, auto b) { return distance(name, a) < distance(name, b); });
+std::optional<std::string_view> nearest(std::string_view name,
+                                        std::span<const std::string_view> known) {
+  std::optional<std::string_view> best;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  for (const std::string_view one : known) {
+    const std::size_t changes = distance(name, one);
+    if (changes >= fewest || !isLikely(name, one, changes)) continue;
+    fewest = changes;
+    best = one;
+  }
+  return best;
 }
 
 }  // namespace suture::compiler::model

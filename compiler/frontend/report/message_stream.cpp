@@ -57,8 +57,11 @@ void MessageStream::forwardUnknown(llvm::StringRef place, llvm::StringRef rest) 
   }
   out_ << place << "error: no annotation has an argument '" << name
        << "' [suture-unknown-argument]\n";
-  advice_ = place.str() + "note: did you mean '" +
-            std::string(model::nearest(name, annotationArguments())) + "'?\n";
+  const auto meant = model::nearest({name.data(), name.size()}, annotationArguments());
+  advice_ = place.str() + "note: " +
+            (meant ? "did you mean '" + std::string(*meant) + "'?"
+                   : "docs/annotations.md lists the arguments of each annotation") +
+            "\n";
 }
 
 }  // namespace suture::compiler::frontend

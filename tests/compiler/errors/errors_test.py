@@ -80,6 +80,8 @@ USAGE = [
     ("--update-lock --lock-dir schemas/lock_new --new-id Nothing lock_new.h -- -I../include",
      "--new-id Nothing: no lock has anything of that name"),
     ("--explain pionter", "no diagnostic 'pionter'; did you mean 'pointer'?"),
+    ("--explain suture-lock-brk", "no diagnostic 'lock-brk'; did you mean 'lock-break'?"),
+    ("--explain foo", "no diagnostic 'foo'; a message of suturec ends with the name of its own"),
     ("--out OUT --lock-dir schemas/warnings --fatal platform-integer warnings.h -- -I../include",
      r"error: field 'size' .*\[suture-platform-integer\]"),
     ("--out OUT --lock-dir schemas/warnings --fatal all warnings.h -- -I../include", r"error: field 'whole'"),
