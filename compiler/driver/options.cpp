@@ -89,6 +89,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--new-id", options.newIds, "Give this name an id anew, after a lock was copied")
       ->needs(update)
       ->allow_extra_args(false);
+  app.set_version_flag("--version", "suturec " SUTUREC_VERSION, "Print the version, and end");
   app.add_option("--explain", options.explain, "Print the page of a diagnostic, and end");
   app.add_flag("--list-outputs", options.listOutputs,
                "Print the endings of what a header gives, each behind its use, and end");

@@ -2,6 +2,7 @@
 // what it looks at.
 
 #include <suture/base/nearest.h>
+#include <suture/component/factory/component_library.h>
 #include <suture/deploy/number_option.h>
 #include <suture/names/global_manager.h>
 #include <suture/net/tls/keys.h>
@@ -192,6 +193,8 @@ int main(int argc, char** argv) {
   }
   CLI::App app{"Looks at a running Suture system, and speaks to any interface in it."};
   app.name("suture");
+  app.set_version_flag("--version", std::string("suture ") + suture::kVersion,
+                       "Prints the version, and ends");
   app.require_subcommand(1);
   Options options;
   options.manager = suture::GlobalManager::defaultAddress();

@@ -113,6 +113,15 @@ def check_diff(suturec, arguments, status, words):
     return [] if good else [f"suturec diff {arguments}: status {done.returncode}, no '{words}' in\n{text}"]
 
 
+def check_version(suturec):
+    """--version prints one line, with the version that CMake has."""
+    project = (COMPILER.parent / "CMakeLists.txt").read_text(encoding="utf-8")
+    expected = "suturec " + re.search(r"project\(Suture VERSION ([\d.]+)", project)[1] + "\n"
+    done = subprocess.run([suturec, "--version"], capture_output=True, text=True, timeout=TIME_LIMIT)
+    good = done.returncode == 0 and done.stdout == expected
+    return [] if good else [f"suturec --version: status {done.returncode}, not {expected!r}:\n{done.stdout}{done.stderr}"]
+
+
 def check_usage(suturec, arguments, words):
     with tempfile.TemporaryDirectory() as out:
         command = [suturec, *arguments.replace("OUT", out).split()]
@@ -241,7 +250,8 @@ def runs(part, suturec, flags, record, mutants):
         return [(check_fix, suturec, flags, h, record) for h in sorted(FIXES.glob("*.h"))]
     if part == "usage":
         pages = sorted(p for p in PAGES.glob("*.md") if p.stem != "README")
-        return ([(check_page, suturec, p) for p in pages] + [(check_usage, suturec, *usage) for usage in USAGE]
+        return ([(check_version, suturec)] + [(check_page, suturec, p) for p in pages]
+                + [(check_usage, suturec, *usage) for usage in USAGE]
                 + [(check_diff, suturec, *diff) for diff in DIFFS]
                 + [(check_odd_file, suturec, flags, *file) for file in ODD_FILES])
     return [(check_mutation, suturec, flags, seed) for seed in range(mutants)]

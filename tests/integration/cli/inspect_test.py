@@ -1,10 +1,13 @@
 """These tests run ps, describe, doctor and why."""
 
 import os
+import pathlib
+import re
 import signal
+import subprocess
 import unittest
 
-from system import System
+from system import PATIENCE, SUTURE, System
 
 GRIPPER = "robot:Hand/Gripper"
 
@@ -13,6 +16,12 @@ class Inspect(System):
     def setUp(self):
         super().setUp()
         self.start_manager()
+
+    def test_the_version_is_the_project_s(self):
+        project = (pathlib.Path(__file__).resolve().parents[3] / "CMakeLists.txt").read_text(encoding="utf-8")
+        version = re.search(r"project\(Suture VERSION ([\d.]+)", project)[1]
+        done = subprocess.run([SUTURE, "--version"], capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, f"suture {version}\n", ""))
 
     def test_ps_says_that_no_process_is_known(self):
         self.assertEqual(self.said("ps"), f"No process is known to {self.address}.\n")
