@@ -12,7 +12,7 @@ void emitClasses(Code& code, const model::Model& model) {
   for (const model::Header& header : model.headers) {
     if (!header.own) continue;
     for (const model::Component& component : header.components) {
-      code.line("    suture::componentClass<", component.name, ">(),");
+      code.line("    suture::componentClass<", rooted(component.name), ">(),");
     }
   }
   code.line("};");

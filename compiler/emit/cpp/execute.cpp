@@ -43,7 +43,7 @@ void emitFunction(Code& code, const Context& context, const model::Interface& in
             ") {");
   if (!command.parameters.empty()) {
     code.line("const auto& slot = ", kBreakText, "slotIn<",
-              argumentsStruct(interface, command, context), ">(arguments);");
+              rooted(argumentsStruct(interface, command, context)), ">(arguments);");
     for (const model::Parameter& parameter : command.parameters) {
       code.line("load(slot.", parameter.name, ", ", kBreakText, "scratch.",
                 scratchName(interface, command, parameter), ");");
@@ -64,7 +64,7 @@ void emitFunction(Code& code, const Context& context, const model::Interface& in
 void emitFunctions(Code& code, const Context& context, const model::Interface& interface) {
   code.line("// A function for each command of ", interface.name,
             ", so that a stack in a debugger names it.");
-  code.open("struct Provided<", interface.name, ">::Dispatch {");
+  code.open("struct Provided<", rooted(interface.name), ">::Dispatch {");
   bool first = true;
   for (const model::Command* const command : ownCommands(interface)) {
     if (!std::exchange(first, false)) code.blank();
@@ -85,10 +85,10 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
 void emitReserved(Code& code, const Context& context, const model::Interface& interface) {
   const std::vector<Argument> arguments = reservedArguments(interface, context.lookup);
   if (arguments.empty()) return;
-  code.open("auto Provided<", interface.name, ">::Scratch::reserved() -> Scratch {");
+  code.open("auto Provided<", rooted(interface.name), ">::Scratch::reserved() -> Scratch {");
   code.line("Scratch scratch;");
   for (const auto& [command, parameter] : arguments) {
-    code.line("reserveFor<decltype(", argumentsStruct(interface, command, context),
+    code.line("reserveFor<decltype(", rooted(argumentsStruct(interface, command, context)),
               "::", parameter.name, ")>(", kBreakText, "scratch.",
               scratchName(interface, command, parameter), ");");
   }
@@ -107,7 +107,7 @@ void emitExecute(Code& code, const Context& context, const model::Interface& int
     takes = takes || !command->parameters.empty();
     answers = answers || command->result.has_value();
   }
-  code.open("Errc Provided<", interface.name, ">::execute(", kBreakText, "std::uint16_t ",
+  code.open("Errc Provided<", rooted(interface.name), ">::execute(", kBreakText, "std::uint16_t ",
             named("command", any), ", ", kBreakText, "const std::byte* ", named("arguments", takes),
             ", ", kBreakText, "std::byte* ", named("result", answers), ") {");
   if (any) {
@@ -117,7 +117,7 @@ void emitExecute(Code& code, const Context& context, const model::Interface& int
     code.close("}");
   }
   const std::string rest =
-      derives ? "Provided<" + interface.base + ">::execute(command, arguments, result)"
+      derives ? "Provided<" + rooted(interface.base) + ">::execute(command, arguments, result)"
               : "Errc::Invalid";
   code.line("return ", rest, ";").close("}").blank();
 }

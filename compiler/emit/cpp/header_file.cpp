@@ -96,7 +96,7 @@ std::string headerFile(const Context& context) {
     declareEncodings(inner, context);
     for (const model::Interface& one : context.header.interfaces) {
       inner.line("template <>");
-      inner.line("const InterfaceInfo& interfaceInfo<", one.name, ">();").blank();
+      inner.line("const InterfaceInfo& interfaceInfo<", rooted(one.name), ">();").blank();
       emitRequired(inner, context, one);
       emitProvided(inner, context, one);
     }

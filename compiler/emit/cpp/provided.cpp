@@ -53,11 +53,11 @@ void emitProvided(Code& code, const Context& context, const model::Interface& in
   const bool events = !ownEvents(interface).empty();
   const bool executes = commands || interface.base.empty();
   code.line("/// Serves ", interface.name, " from a component.").line("template <>");
-  code.open("class Provided<", interface.name, "> : public ", baseClass("Provided", interface),
-            " {");
-  code.line("using Contract = ", interface.name, ";");
+  code.open("class Provided<", rooted(interface.name), "> : public ",
+            baseClass("Provided", interface), " {");
+  code.line("using Contract = ", rooted(interface.name), ";");
   if (events) {
-    code.line("using EventId = ", generatedName(interface.name, context.lookup), "Event;");
+    code.line("using EventId = ", rooted(generatedName(interface.name, context.lookup)), "Event;");
   }
   code.blank().label("public:");
   code.line("Provided(Component& owner, std::string_view name, Contract& implementation)");

@@ -222,12 +222,12 @@ std::vector<std::string> portCalls(const model::Component& component) {
 void emitClass(Code& code, const model::Component& component) {
   const std::string name = model::unqualified(component.name);
   code.line("template <>");
-  code.open("ComponentClass componentClass<", component.name, ">() {");
+  code.open("ComponentClass componentClass<", rooted(component.name), ">() {");
   code.line("return {\"", name,
             "\", [](const JsonReader& parameters) -> std::unique_ptr<Component> {");
   const std::string indent(10, ' ');
   if (component.parameters) {
-    code.line(indent, *component.parameters, " values;");
+    code.line(indent, rooted(*component.parameters), " values;");
     code.line(indent, "fromJson(parameters, values);");
   } else {
     code.line(indent, "JsonReader none = parameters;").line(indent, "none.finish();");
@@ -237,7 +237,7 @@ void emitClass(Code& code, const model::Component& component) {
   // lacks.
   const char* const values = component.movesParameters ? "std::move(values)" : "values";
   const std::string made =
-      "(new " + component.name + "(" + (component.parameters ? values : "") + "));";
+      "(new " + rooted(component.name) + "(" + (component.parameters ? values : "") + "));";
   const std::vector<std::string> calls = portCalls(component);
   if (calls.empty()) {
     code.line(indent, "return std::unique_ptr<Component>", made);
@@ -304,7 +304,7 @@ void emitReaders(Code& code, const Context& context) {
 void emitClassDeclarations(Code& code, const Context& context) {
   for (const model::Component& component : context.header.components) {
     code.line("template <>");
-    code.line("ComponentClass componentClass<", component.name, ">();").blank();
+    code.line("ComponentClass componentClass<", rooted(component.name), ">();").blank();
   }
 }
 

@@ -15,7 +15,8 @@ constexpr char kHome[] = "suture";
 
 std::string argumentsSlot(const Context& context, const model::Interface& interface,
                           const model::Command& command) {
-  return command.parameters.empty() ? "NoSlot" : argumentsStruct(interface, command, context);
+  return command.parameters.empty() ? "NoSlot"
+                                    : rooted(argumentsStruct(interface, command, context));
 }
 
 /// Returns "ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot>".
@@ -117,9 +118,9 @@ void emitProtectedConstructor(Code& code, const model::Interface& interface) {
 
 void emitRequired(Code& code, const Context& context, const model::Interface& interface) {
   code.line("/// Calls ", interface.name, " of another component.").line("template <>");
-  code.open("class Required<", interface.name, "> : public ", baseClass("Required", interface),
-            " {");
-  code.line("using Contract = ", interface.name, ";");
+  code.open("class Required<", rooted(interface.name), "> : public ",
+            baseClass("Required", interface), " {");
+  code.line("using Contract = ", rooted(interface.name), ";");
   emitNumberAliases(code, context, interface);
   code.blank().label("public:");
   emitConstructor(code, interface);

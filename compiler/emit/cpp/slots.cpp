@@ -126,7 +126,9 @@ void emitMembers(Code& code, const Context& context) {
     const auto isHidden = [](const model::Field& field) { return field.isHidden; };
     if (std::none_of(fields.begin(), fields.end(), isHidden)) continue;
     code.line("/// Reaches members that SUTURE_FRIEND() opens to generated code.");
-    code.line("template <>").open("struct Members<", declaration.name, "> {");
+    code.line("template <>")
+        .open("struct Members<", rooted(declaration.name, namespaceOf(declaration, context)),
+              "> {");
     for (const model::Field& field : fields) {
       if (!field.isHidden) continue;
       code.line("static auto& ", field.name, "(auto&& value) { ", kBreakText, "return value.",

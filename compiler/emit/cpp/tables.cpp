@@ -174,7 +174,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
 std::string rows(Code& code, const model::Interface& interface, const std::string& kind,
                  const std::string& own, std::size_t ownRows, std::size_t allRows) {
   if (ownRows == allRows) return allRows == 0 ? "{}" : own;
-  std::string inherited = "interfaceInfo<" + interface.base + ">()." + kind;
+  std::string inherited = "interfaceInfo<" + rooted(interface.base) + ">()." + kind;
   if (ownRows == 0) return inherited;
   std::string name = "k" + model::titleCase(kind);
   code.line("static const auto ", name, " = extended<", std::to_string(allRows), ">(", kBreakText,
@@ -196,7 +196,7 @@ void emitInfo(Code& code, const Context& context, const model::Interface& interf
   const std::string& home = context.header.cxxNamespace;
   const std::string tables = (home.empty() ? "::k" : home + "::k") + prefixOf(interface, context);
   code.line("template <>");
-  code.open("const InterfaceInfo& interfaceInfo<", interface.name, ">() {");
+  code.open("const InterfaceInfo& interfaceInfo<", rooted(interface.name), ">() {");
   const std::string commands = rows(code, interface, "commands", tables + "Commands",
                                     ownCommands(interface).size(), interface.commands.size());
   const std::string events = rows(code, interface, "events", tables + "Events",
@@ -211,8 +211,9 @@ void emitInfo(Code& code, const Context& context, const model::Interface& interf
   code.line("    .codec = &", home.empty() ? "::" : home + "::", codecFunction(context, interface),
             ",");
   if (derives) {
-    code.line("    .base = &interfaceInfo<", interface.base, ">,");
-    code.line("    .toBase = &castToBase<", interface.name, ", ", kBreakText, interface.base, ">,");
+    code.line("    .base = &interfaceInfo<", rooted(interface.base), ">,");
+    code.line("    .toBase = &castToBase<", rooted(interface.name), ", ", kBreakText,
+              rooted(interface.base), ">,");
   }
   if (!wireEvents(context, interface).empty()) {
     code.line("    .wireEvents = ", tables, "WireEvents,");

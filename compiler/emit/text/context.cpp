@@ -21,6 +21,25 @@ std::string relative(const std::string& name, const std::string& inNamespace) {
   return !inNamespace.empty() && name.starts_with(prefix) ? name.substr(prefix.size()) : name;
 }
 
+std::string rooted(const std::string& name) { return rooted(name, model::namespaceOf(name)); }
+
+std::string rooted(const std::string& name, const std::string& itsNamespace) {
+  return (itsNamespace.empty() ? "::" : "") + name;
+}
+
+std::string namespaceOf(const model::Struct& declaration, const Context& context) {
+  return declaration.foreignNamespace.value_or(context.header.cxxNamespace);
+}
+
+namespace {
+
+/// Names what is generated as within a namespace.
+std::string generatedIn(const std::string& inNamespace, const std::string& name) {
+  return inNamespace.empty() ? name : relative(rooted(name), inNamespace);
+}
+
+}  // namespace
+
 std::string slotStruct(const std::string& structName, const model::Lookup& lookup) {
   return generatedName(structName, lookup) + "Slot";
 }
@@ -63,7 +82,7 @@ std::string slotType(const Type& type, const Context& context, const std::string
     case Shape::Scalar:
       return type.scalar == Scalar::Bool ? "std::uint8_t" : cxxScalar(type.scalar);
     case Shape::Enum: return context.lookup.findEnum(type.name)->underlyingType;
-    case Shape::Struct: return relative(slotStruct(type.name, context.lookup), inNamespace);
+    case Shape::Struct: return generatedIn(inNamespace, slotStruct(type.name, context.lookup));
     case Shape::Text:
       return open ? "suture::OpenText" : "suture::BoundedText<" + bound(type.capacity) + ">";
     case Shape::Array: return array(slotType(type.element[0], context, inNamespace), type.rows);
@@ -221,7 +240,7 @@ std::string argumentsStruct(const model::Interface& interface, const model::Comm
 std::string payloadSlot(const model::Interface& interface, const model::Event& event,
                         const Context& context, const std::string& inNamespace) {
   if (event.payload.size() == 1) return slotType(event.payload[0], context, inNamespace);
-  return relative(model::payloadStruct(interface, event, context.lookup), inNamespace);
+  return generatedIn(inNamespace, model::payloadStruct(interface, event, context.lookup));
 }
 
 std::string openNamespace(const std::string& name) {

@@ -30,6 +30,14 @@ struct Context {
 /// Turns "robots::arm::Pose" into "Pose" within namespace "robots::arm"; elsewhere it is unchanged.
 std::string relative(const std::string& name, const std::string& inNamespace);
 
+/// Returns the name as C++ finds it from any namespace: "::Sample" of what is in none, since the
+/// runtime has a Sample as well. The namespace is said where a class is around the declaration.
+std::string rooted(const std::string& name);
+std::string rooted(const std::string& name, const std::string& itsNamespace);
+
+/// Returns the namespace that the struct is in.
+std::string namespaceOf(const model::Struct& declaration, const Context& context);
+
 /// Names the slot struct of a SUTURE_TYPE, qualified: "robots::PoseStampedSlot".
 std::string slotStruct(const std::string& structName, const model::Lookup& lookup);
 

@@ -26,7 +26,7 @@ std::string payloadMember(const model::Event& event, const std::string& slot, st
 
 std::string baseClass(const char* kind, const model::Interface& interface) {
   if (interface.base.empty()) return std::string(kind) + "Base";
-  return std::string(kind) + "<" + interface.base + ">";
+  return std::string(kind) + "<" + rooted(interface.base) + ">";
 }
 
 void emitEventsHead(Code& code, const model::Interface& interface, const std::string& base) {
@@ -51,7 +51,7 @@ void emitEventConstructor(Code& code, const model::Interface& interface, const s
 }
 
 void emitNumberAliases(Code& code, const Context& context, const model::Interface& interface) {
-  const std::string name = generatedName(interface.name, context.lookup);
+  const std::string name = rooted(generatedName(interface.name, context.lookup));
   if (!ownCommands(interface).empty()) code.line("using Id = ", name, "Command;");
   if (!ownEvents(interface).empty()) code.line("using EventId = ", name, "Event;");
 }

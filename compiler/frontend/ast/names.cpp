@@ -43,6 +43,10 @@ std::string qualifiedName(const clang::NamedDecl* declaration) {
   return joined(scopeOf(declaration->getDeclContext()), plainName(declaration));
 }
 
+std::string rootedName(const clang::NamedDecl* declaration) {
+  return (namespaceOf(declaration).empty() ? "::" : "") + qualifiedName(declaration);
+}
+
 std::string namespaceOf(const clang::Decl* declaration) {
   return scopeOf(declaration->getDeclContext()->getEnclosingNamespaceContext());
 }

@@ -17,6 +17,10 @@ std::string plainName(const clang::NamedDecl* declaration);
 /// Returns the name without inline namespaces and template arguments: "std::chrono::steady_clock".
 std::string qualifiedName(const clang::NamedDecl* declaration);
 
+/// Returns the name as C++ finds it from any namespace: "::Pose" of what is in none, where another
+/// Pose might be nearer.
+std::string rootedName(const clang::NamedDecl* declaration);
+
 /// Returns the enclosing namespaces of a declaration, qualified: "robots::arm".
 std::string namespaceOf(const clang::Decl* declaration);
 

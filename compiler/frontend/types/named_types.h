@@ -29,7 +29,8 @@ class NamedTypes {
   clang::Sema& semantics() const { return semantics_; }
 
   struct Entry {
-    std::string name;  ///< qualified
+    std::string name;      ///< qualified
+    std::string spelling;  ///< as rootedName() gives it
     const clang::NamedDecl* declaration = nullptr;
   };
 

@@ -28,15 +28,18 @@ TypeProblem unnamed() {
   return {"unnamed-type", "an unnamed type has no stable wire name", "name the type"};
 }
 
-model::Type enumNamed(const std::string& name) {
+model::Type typeNamed(Shape shape, const std::string& name, const std::string& spelling) {
   model::Type type;
-  type.shape = Shape::Enum;
-  type.name = type.spelling = name;
+  type.shape = shape;
+  type.name = name;
+  type.spelling = spelling;
   return type;
 }
 
 MappedType mapEnum(const clang::EnumDecl* declaration, const NamedTypes& names) {
-  if (const NamedTypes::Entry* named = names.find(declaration)) return enumNamed(named->name);
+  if (const NamedTypes::Entry* named = names.find(declaration)) {
+    return typeNamed(Shape::Enum, named->name, named->spelling);
+  }
   if (plainName(declaration).empty()) return unnamed();
   if (qualifiedName(declaration) == "std::byte") {
     model::Type byte;
@@ -47,14 +50,7 @@ MappedType mapEnum(const clang::EnumDecl* declaration, const NamedTypes& names) 
   if (!isAnnotated(declaration, Kind::Type)) {
     return unannotated(declaration, declaration->isScoped() ? "enum class" : "enum");
   }
-  return enumNamed(qualifiedName(declaration));
-}
-
-model::Type structNamed(const std::string& name) {
-  model::Type type;
-  type.shape = Shape::Struct;
-  type.name = type.spelling = name;
-  return type;
+  return typeNamed(Shape::Enum, qualifiedName(declaration), rootedName(declaration));
 }
 
 /// Returns the problem of a class that is neither annotated nor named elsewhere.
@@ -67,7 +63,9 @@ MappedType mapUnannotated(const clang::CXXRecordDecl* declaration) {
 }
 
 MappedType mapRecord(const clang::CXXRecordDecl* declaration, const NamedTypes& names) {
-  if (const NamedTypes::Entry* named = names.find(declaration)) return structNamed(named->name);
+  if (const NamedTypes::Entry* named = names.find(declaration)) {
+    return typeNamed(Shape::Struct, named->name, named->spelling);
+  }
   if (plainName(declaration).empty()) return unnamed();
   if (auto hooked = mapByHook(declaration, names)) return *hooked;
   if (const auto* specialisation =
@@ -85,7 +83,7 @@ MappedType mapRecord(const clang::CXXRecordDecl* declaration, const NamedTypes& 
                        declaration};
   }
   if (!isAnnotated(declaration, Kind::Type)) return mapUnannotated(declaration);
-  return structNamed(qualifiedName(declaration));
+  return typeNamed(Shape::Struct, qualifiedName(declaration), rootedName(declaration));
 }
 
 /// Maps a C array and spells it "double[3]"; in the spelling of an array of arrays the outer extent

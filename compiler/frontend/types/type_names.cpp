@@ -54,7 +54,7 @@ std::optional<DataDeclaration> TypeNames::addAlias(const clang::TypedefNameDecl*
   const Annotation pattern =
       mapping_.peek(instance->getSpecializedTemplate()->getTemplatedDecl(), Kind::Type);
   declared.lifecycle = {pattern.since, pattern.deprecated};
-  if (!add(declared.record, {declared.name, alias}, true)) return std::nullopt;
+  if (!add(declared.record, {declared.name, rootedName(alias), alias}, true)) return std::nullopt;
   return declared;
 }
 
@@ -82,7 +82,7 @@ TypeNames::External TypeNames::addExternal(const clang::CXXMethodDecl* members) 
   if (!checkVisible(tag, members)) return {};
   const std::string known = qualifiedName(name);
   const std::string onWire = wireTypeName(model::Named::Type, name, annotation.name);
-  if (!add(tag, {known, members}, false)) return {};
+  if (!add(tag, {known, rootedName(name), members}, false)) return {};
   if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag)) {
     return DataDeclaration{record->getDefinition(), members, known, onWire, std::move(annotation)};
   }

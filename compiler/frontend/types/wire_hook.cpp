@@ -3,6 +3,8 @@
 #include <clang/AST/DeclTemplate.h>
 #include <clang/Sema/Sema.h>
 
+#include "compiler/frontend/ast/names.h"
+
 namespace suture::compiler::frontend {
 namespace {
 
@@ -56,6 +58,7 @@ std::optional<MappedType> mapByHook(const clang::CXXRecordDecl* type, const Name
     clang::PrintingPolicy policy(context.getLangOpts());
     policy.FullyQualifiedName = policy.PrintCanonicalTypes = policy.SuppressTagKeyword = true;
     std::get<model::Type>(mapped).spelling =
+        (namespaceOf(type).empty() ? "::" : "") +
         context.getRecordType(type).getCanonicalType().getAsString(policy);
   }
   return mapped;
