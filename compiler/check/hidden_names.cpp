@@ -13,7 +13,7 @@ namespace {
 
 /// Generated code specialises the runtime's templates inside namespace suture. There these
 /// namespaces of the runtime hide outer ones of the same name.
-constexpr std::array<std::string_view, 2> kOfRuntime{"rpc", "rt"};
+constexpr std::array<std::string_view, 4> kOfRuntime{"bounded", "detail", "rpc", "rt"};
 
 bool isOfName(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
@@ -84,6 +84,8 @@ void checkHiddenNames(const model::Header& header, model::Diagnostics& findings)
     hidden.checkHome(header.structs.front().source);
   } else if (!header.interfaces.empty()) {
     hidden.checkHome(header.interfaces.front().source);
+  } else if (!header.components.empty()) {
+    hidden.checkHome(header.components.front().source);
   }
   for (const model::Enum& one : header.enums) hidden.check(one.name, one.source);
   for (const model::Struct& one : header.structs) {
