@@ -7,6 +7,7 @@
 #include <suture/wiring/connect.h>
 
 #include <functional>
+#include <stdexcept>
 
 #include "unit/component/driven_arm.h"
 
@@ -178,6 +179,20 @@ TEST_F(Contract, AfterALossCommandsAwaitTheOperator) {
             Errc::AwaitingOperator);
   EXPECT_EQ(read().error(), Errc::NotYet) << "a read moves nothing";
   watch_->awaitsOperator = false;
+  EXPECT_EQ(hold(), Errc{});
+}
+
+TEST_F(Contract, AfterARestartCommandsAwaitTheOperatorInTheSameCycle) {
+  arm_.restartAfterFaults({.most = 1, .per = 24h});
+  connect({.resume = Resume::Operator});
+  arm_.work = [] { throw std::runtime_error("the drive did not answer"); };
+  arm_.cycle();
+  EXPECT_EQ(arm_.state(), ComponentState::Running);
+  EXPECT_EQ(hold(), Errc::AwaitingOperator);
+  EXPECT_TRUE(read()) << "a read moves nothing";
+  EXPECT_EQ(reader_.slave.resume(), ResumeOutcome::ProviderLost) << "nobody has seen that loss";
+  EXPECT_EQ(hold(), Errc::AwaitingOperator);
+  EXPECT_EQ(reader_.slave.resume(), ResumeOutcome::Resumed);
   EXPECT_EQ(hold(), Errc{});
 }
 

@@ -96,9 +96,13 @@ Errc Attachment::unusable(std::uint16_t command) {
   return awaitsOperator(command) ? Errc::AwaitingOperator : Errc{};
 }
 
-// Reads and qualified reads await no operator, since they move nothing.
+// Reads and qualified reads await no operator, since they move nothing. A provider may have been
+// faulted and restarted since noticeLoss() looked, which the next cycle will act on.
 bool Attachment::awaitsOperator(std::uint16_t command) const {
-  if (channel_->terms.watch == nullptr || !channel_->terms.watch->awaitsOperator) return false;
+  const ConnectionWatch* const watch = channel_->terms.watch.get();
+  if (watch == nullptr || watch->contract.resume != Resume::Operator) return false;
+  const bool unnoticed = channel_->faults.load(std::memory_order_acquire) != faultsNoticed_;
+  if (!unnoticed && !watch->awaitsOperator) return false;
   const CommandKind kind = info_.commands[command].kind;
   return kind != CommandKind::Read && kind != CommandKind::QualifiedRead;
 }
