@@ -98,11 +98,13 @@ void Component::makeTransition(Transition transition) {
   const ComponentState from = state();
   const auto to = after(from, transition);
   if (!to) return;  // a device was parked after this was requested
+  if (transition != Transition::Restart) meantToRun_ = transition == Transition::Resume;
   if (!parkOnThrow([&] { callHook(transition); })) return;
   if (transition == Transition::Resume || transition == Transition::Restart) {
     resumed_.store(toNanoseconds(now()), std::memory_order_release);
   }
   if (!changeState(from, *to)) return;
+  meantToRun_ = *to == ComponentState::Running;
   // endLife() tells the clients whose connection a stop has ended, and a start tells those that
   // have connected since then.
   if (transition != Transition::Configure && transition != Transition::Stop) {

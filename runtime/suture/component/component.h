@@ -190,6 +190,8 @@ class Component {
   rt::DueBells dueBells_;
   Component* lender_ = nullptr;
   const ConnectedClient* caller_ = nullptr;
+  bool meantToRun_ = false;  // true from a start or the beginning of a resumption, to the beginning
+                             // of a suspension or stop; a fault changes nothing
   std::atomic<const void*> owner_{nullptr};
   struct Aside;
   const std::shared_ptr<Aside> aside_;

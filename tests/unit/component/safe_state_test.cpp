@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
+#include <suture/component/task/callback_task.h>
 #include <suture/wiring/connect.h>
 
 #include <stdexcept>
@@ -10,6 +11,7 @@
 
 #include "support/refusal.h"
 #include "unit/component/driven_arm.h"
+#include "unit/component/living.h"
 
 namespace suture {
 namespace {
@@ -116,6 +118,47 @@ TEST_F(SafeState, OneThatThrowsEndsTheRestarts) {
   breakDown();
   EXPECT_TRUE(faulted());
   EXPECT_EQ(surgeon_.fault(), "lost the needle");
+}
+
+TEST(Restart, FollowsNoFaultOfAChangeToAnythingButRunning) {
+  for (const char* const hook : {"configure", "start", "suspend"}) {
+    Living<CallbackTask> task;
+    task.throwing = hook;
+    task.restartAfterFaults({.most = 3, .per = 24h});
+    task.start();
+    task.trigger();
+    if (task.state() == ComponentState::Running) task.request(Transition::Suspend);
+    task.trigger();
+    EXPECT_EQ(task.state(), ComponentState::Faulted) << hook;
+    EXPECT_TRUE(task.staysFaulted()) << hook;
+    EXPECT_EQ(task.faults(), 1u) << hook;
+    EXPECT_EQ(task.cycles, hook == std::string("suspend") ? 2 : 0) << hook;
+  }
+}
+
+TEST(Restart, FollowsAResumeThatThrows) {
+  Living<CallbackTask> task;
+  task.throwing = "resume";
+  task.restartAfterFaults({.most = 3, .per = 24h});
+  task.start();
+  task.request(Transition::Suspend);
+  task.trigger();
+  task.request(Transition::Resume);
+  task.trigger();
+  EXPECT_EQ(task.state(), ComponentState::Running);
+  EXPECT_EQ(task.faults(), 1u);
+}
+
+TEST(Restart, FollowsNoFaultOfAnotherStart) {
+  Living<CallbackTask> task;
+  task.restartAfterFaults({.most = 3, .per = 24h});
+  task.start();
+  task.trigger();
+  task.stop();
+  task.throwing = "start";
+  task.start();
+  EXPECT_EQ(task.state(), ComponentState::Faulted);
+  EXPECT_TRUE(task.staysFaulted());
 }
 
 /// Faults when it is asked to hold.

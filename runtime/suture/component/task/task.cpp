@@ -112,7 +112,7 @@ void Task::makeSafe() {
   while (state() == ComponentState::Faulted && safeAfter_ != faults()) {
     safeAfter_ = faults();
     activity_.run(now());
-    const bool restarted = tryOnFault() && mayRestart();
+    const bool restarted = tryOnFault() && meantToRun_ && budgetLasts();
     if (restarted) restart();
     staysFaulted_.store(!restarted, std::memory_order_release);
   }
@@ -128,7 +128,7 @@ bool Task::tryOnFault() {
 }
 
 // The restart that was `most` restarts ago must be longer ago than `per`.
-bool Task::mayRestart() {
+bool Task::budgetLasts() {
   if (restarts_.most == 0) return false;
   Time& oldest = restartedAt_[restartTurn_ % restarts_.most];
   const Time present = now();

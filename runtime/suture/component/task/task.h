@@ -73,11 +73,12 @@ class Task : public Component {
     return lender_ == nullptr ? activity_ : static_cast<const Task*>(lender_)->activity();
   }
   /// Before start(): a fault is followed by onFault() and then by a restart, as long as the budget
-  /// lasts; then the task stays faulted. Without a budget it stays so at once. Throws SetupError
-  /// for more than RestartBudget::kMost.
+  /// lasts; then the task stays faulted. Without a budget it stays so at once, and so it does if it
+  /// had not run yet or was not to: the fault came while it was configured, started or suspended.
+  /// Throws SetupError for more than RestartBudget::kMost.
   void restartAfterFaults(const RestartBudget& budget);
   /// Any thread. Returns true if no restart follows the fault that it is in: the budget is used up,
-  /// there is none, or onFault() threw.
+  /// there is none, it was not running, or onFault() threw.
   bool staysFaulted() const { return staysFaulted_.load(std::memory_order_acquire); }
   /// Before start(): sets the length of the windows of statistics(), which is 1 s without this.
   /// Throws SetupError.
@@ -127,7 +128,7 @@ class Task : public Component {
   void makeRequestedTransition();
   void makeSafe();
   bool tryOnFault();
-  bool mayRestart();
+  bool budgetLasts();
   bool goesOn() const;
   void work();
   void rest();
