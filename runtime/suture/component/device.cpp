@@ -24,14 +24,23 @@ void Device::take(Transition transition) {
   makeTransition(transition);
 }
 
+// The event whose handler runs is still the first of its queue, so it would be handled again.
+Errc Device::cannotHandle() {
+  if (!ownedByThisThread()) return Errc::WrongThread;
+  const bool handling =
+      std::any_of(required().begin(), required().end(),
+                  [](const RequiredBase* interface) { return interface->handling(); });
+  return handling ? Errc::CannotWait : Errc{};
+}
+
 Result<void> Device::processEvents() {
-  if (!ownedByThisThread()) return tl::unexpected(Errc::WrongThread);
+  if (const Errc error = cannotHandle(); error != Errc{}) return tl::unexpected(error);
   handleEvents();
   return {};
 }
 
 bool Device::waitForEvents(Time deadline) {
-  if (!ownedByThisThread()) return false;
+  if (cannotHandle() != Errc{}) return false;
   const auto arrived = [this] {
     return std::any_of(required().begin(), required().end(),
                        [](const RequiredBase* interface) { return interface->pending(); });

@@ -29,14 +29,17 @@ class Device : public Component {
   Duration remoteReadPeriod() const final { return remoteReadPeriod_; }
 
   /// Runs the handlers of the events that have arrived, in the calling thread. Answers
-  /// Errc::WrongThread unless that thread uses the required interfaces.
+  /// Errc::WrongThread unless that thread uses the required interfaces, and Errc::CannotWait in
+  /// such a handler.
   Result<void> processEvents();
   /// Sleeps until something arrives or until `deadline`, and does the same. Returns true if
-  /// something arrived, and false at once in another thread.
+  /// something arrived, and false at once in another thread or in such a handler.
   bool waitForEvents(Time deadline);
 
  private:
   void take(Transition transition) final;
+  /// Returns why events cannot be handled here, or 0 if they can.
+  Errc cannotHandle();
 
   const Duration remoteReadPeriod_;
   std::mutex changing_;  // no control loop waits for it, because only people ask for changes, and

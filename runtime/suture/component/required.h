@@ -109,6 +109,8 @@ class RequiredBase : protected RequiredParts {
   bool rewired() const { return attachment.rewired(); }
   /// Owner's thread. Returns true if adopt() or handleEvents() has something to do.
   bool pending() const;
+  /// Owner's thread. Returns true in a handler of one of its events.
+  bool handling() const { return subscriptions.handling(); }
   /// Owner's thread. Returns true if something has come since handleEvents() that run() has not
   /// seen: an answer that it has not taken, or what was handled in a wait for an event.
   bool unseen();

@@ -16,10 +16,10 @@ class HandleBase {
   HandleBase& operator=(const HandleBase&) = delete;
 
   /// Runs the handlers of the events that have arrived, in the calling thread. Answers
-  /// Errc::WrongThread if that is not the handle's.
+  /// Errc::WrongThread if that is not the handle's, and Errc::CannotWait in such a handler.
   Result<void> processEvents() { return device_.processEvents(); }
   /// Sleeps until something arrives or until `deadline`, and does the same. Returns true if
-  /// something arrived.
+  /// something arrived, and false at once in another thread or in such a handler.
   bool waitForEvents(Time deadline) { return device_.waitForEvents(deadline); }
 
  protected:

@@ -35,6 +35,8 @@ class Subscriptions final : private Attachment::User {
   std::size_t handleQueued();
   /// Returns true if there are any.
   bool pending() const;
+  /// Returns true in a handler of an event, while no other may be handled.
+  bool handling() const { return handling_; }
 
   /// Subscribes to `event`, so that it can be awaited; an error says why it cannot.
   Errc await(std::uint16_t event);

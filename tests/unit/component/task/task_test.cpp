@@ -316,6 +316,27 @@ TEST(Events, ATaskEmitsInItsOwnThread) {
   EXPECT_EQ(listener.modes, std::vector<Mode>{Mode::Disabled});
 }
 
+TEST(Events, AHandlerCannotHandleOthers) {
+  CycleCountingArm<EventTask> arm{EventOptions{}};
+  Listener listener;
+  connectLocally(listener.arm, arm.arm, "test");
+  int heard = 0;
+  Errc answer{};
+  bool arrived = true;
+  listener.arm.on().stopped([&] {
+    if (++heard != 1) return;
+    if (const auto handled = listener.processEvents(); !handled) answer = handled.error();
+    arrived = listener.waitForEvents(now() + kPatience);
+  });
+  arm.start();
+  ASSERT_TRUE(listener.arm.hold.start().within(kPatience));  // which emits it
+  ASSERT_TRUE(listener.arm.hold.start().within(kPatience));
+  EXPECT_TRUE(listener.processEvents());
+  EXPECT_EQ(answer, Errc::CannotWait);
+  EXPECT_FALSE(arrived);
+  EXPECT_EQ(heard, 2) << "each of them once";
+}
+
 TEST(Device, ALocalClientCallsItDirectly) {
   struct ArmDevice final : Device, ArmLike {
     void servo_cp(const PoseStamped&) override {}
