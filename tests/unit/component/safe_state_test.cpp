@@ -120,6 +120,35 @@ TEST_F(SafeState, OneThatThrowsEndsTheRestarts) {
   EXPECT_EQ(surgeon_.fault(), "lost the needle");
 }
 
+/// Its restart fails for ever, or until it is asked to stop.
+struct Hopeless final : Task {
+  void start() override {
+    prepare();
+    enter();
+  }
+  void stop() override { leave(); }
+  using Task::cycle;
+  void run() override { throw std::runtime_error("lost the needle"); }
+  void onFault() override { ++safeStates; }
+  void onRestart() override {
+    pass(1ms);
+    ++restarts;
+    if (restarts == 3) setEnding(true);
+    if (restarts < 100) throw std::runtime_error("no second needle");
+  }
+  int restarts = 0, safeStates = 0;
+};
+
+TEST(Restart, NoneFollowsOnceTheTaskIsAskedToStop) {
+  Hopeless task;
+  task.restartAfterFaults({.most = 1, .per = 1ns});
+  task.start();
+  task.cycle();
+  EXPECT_EQ(task.restarts, 3);
+  EXPECT_EQ(task.safeStates, 4) << "the last fault has a safe state too";
+  EXPECT_TRUE(task.staysFaulted());
+}
+
 TEST(Restart, FollowsNoFaultOfAChangeToAnythingButRunning) {
   for (const char* const hook : {"configure", "start", "suspend"}) {
     Living<CallbackTask> task;
@@ -200,6 +229,16 @@ TEST(Restart, ClientsReachTheComponentAgain) {
   EXPECT_EQ(surgeon.slave.hold().error(), Errc::Faulted);
   surgeon.cycle();
   EXPECT_EQ(watch->losses, 2u);
+}
+
+TEST(Restart, ABudgetWithoutATimeIsRefused) {
+  Surgeon surgeon;
+  for (const Duration per : {Duration{0}, Duration{-1}}) {
+    EXPECT_EQ(refusal([&] { surgeon.restartAfterFaults({.most = 3, .per = per}); }),
+              "restarting '(unnamed)' after faults: 3 restarts in any time of " +
+                  std::to_string(per.count()) + " ns. Give a time greater than zero");
+  }
+  surgeon.restartAfterFaults({});
 }
 
 TEST(Restart, ABudgetBeyondReasonIsRefused) {

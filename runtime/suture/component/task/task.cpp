@@ -104,15 +104,22 @@ void Task::restartAfterFaults(const RestartBudget& budget) {
                      std::to_string(budget.most) + " restarts",
                      "Allow at most " + std::to_string(RestartBudget::kMost));
   }
+  if (budget.most > 0 && budget.per <= Duration{0}) {
+    throw SetupError("restarting '" + name() + "' after faults",
+                     std::to_string(budget.most) + " restarts in any time of " +
+                         std::to_string(budget.per.count()) + " ns",
+                     "Give a time greater than zero");
+  }
   restarts_ = budget;
 }
 
-// A restart may fail and so be another fault; the budget bounds that too.
+// A restart may fail and so be another fault; the budget bounds that too, and so does a stop, which
+// a budget of a short time would outlast.
 void Task::makeSafe() {
   while (state() == ComponentState::Faulted && safeAfter_ != faults()) {
     safeAfter_ = faults();
     activity_.run(now());
-    const bool restarted = tryOnFault() && meantToRun_ && budgetLasts();
+    const bool restarted = tryOnFault() && meantToRun_ && !ending() && budgetLasts();
     if (restarted) restart();
     staysFaulted_.store(!restarted, std::memory_order_release);
   }

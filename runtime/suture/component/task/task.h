@@ -75,10 +75,10 @@ class Task : public Component {
   /// Before start(): a fault is followed by onFault() and then by a restart, as long as the budget
   /// lasts; then the task stays faulted. Without a budget it stays so at once, and so it does if it
   /// had not run yet or was not to: the fault came while it was configured, started or suspended.
-  /// Throws SetupError for more than RestartBudget::kMost.
+  /// Throws SetupError for more than RestartBudget::kMost, or if `per` is not greater than zero.
   void restartAfterFaults(const RestartBudget& budget);
   /// Any thread. Returns true if no restart follows the fault that it is in: the budget is used up,
-  /// there is none, it was not running, or onFault() threw.
+  /// there is none, it was not running, it is to stop, or onFault() threw.
   bool staysFaulted() const { return staysFaulted_.load(std::memory_order_acquire); }
   /// Before start(): sets the length of the windows of statistics(), which is 1 s without this.
   /// Throws SetupError.
