@@ -13,6 +13,7 @@ void CallbackTask::start() {
 }
 
 void CallbackTask::stop() {
+  refuseToStopInCycle();
   setEnding(true);
   doorbell().ring();  // its cycle may wait for an event that no thread handles any more
   if (!running_.exchange(false)) return;

@@ -11,8 +11,7 @@ namespace suture {
 class CallbackTask : public Task {
  public:
   void start() final;
-  /// Waits for the cycle under way, so it must not be called from one. Later calls of trigger() do
-  /// nothing.
+  /// Waits for the cycle under way. Later calls of trigger() do nothing.
   void stop() final;
 
   /// Any thread. Runs one cycle, here and now. Returns false, and counts a skipped cycle, if one is

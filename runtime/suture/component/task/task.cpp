@@ -22,6 +22,29 @@ void makeRoom(const Provided& provided, const Required& required) {
 
 }  // namespace
 
+/// Says for as long as it exists that the thread which owns the task runs its code.
+class Task::InCycle {
+ public:
+  explicit InCycle(Task& task) : inCycle_(task.inCycle_) { set(true); }
+  InCycle(const InCycle&) = delete;
+  InCycle& operator=(const InCycle&) = delete;
+  ~InCycle() { set(false); }
+
+ private:
+  void set(bool in) { inCycle_.store(in, std::memory_order_release); }
+
+  std::atomic<bool>& inCycle_;
+};
+
+// The owner is known before inCycle_ is set, so a thread that has owned the task before, and stops
+// it while another begins a cycle, is not taken for that one.
+void Task::refuseToStopInCycle() {
+  if (!inCycle_.load(std::memory_order_acquire) || !ownedByThisThread()) return;
+  throw SetupError("stopping '" + name() + "'",
+                   "it is asked for in its own thread, which would wait for itself",
+                   "Stop it in the thread that started it; in its own, request() a suspension");
+}
+
 void Task::lend(GuestTask& guest) {
   guest.accept(*this);
   guests_.push_back(&guest);
@@ -52,6 +75,7 @@ void Task::prepare() {
 void Task::enter() {
   setEnding(false);
   claimForThisThread();
+  const InCycle here(*this);
   makeRoom(provided(), required());
   activity_.run(now());
   if (after(state(), Transition::Start)) makeTransition(Transition::Start);
@@ -89,6 +113,7 @@ void Task::makeRequestedTransition() {
 }
 
 void Task::cycle() {
+  const InCycle here(*this);
   parkIfAsked();
   if (goesOn()) parkOnThrow([this] { work(); });
   if (state() != ComponentState::Running) rest();
@@ -175,6 +200,7 @@ void Task::rest() {
 
 // Refuses the commands that still wait, so that each has an answer.
 void Task::leave() {
+  const InCycle here(*this);
   setEnding(true);
   for (GuestTask* guest : guests_) guest->leave();
   for (ProvidedBase* interface : provided()) interface->drain();

@@ -49,8 +49,12 @@ class Task : public Component {
   /// task only refuse commands. Throws SetupError if they cannot run, or if it runs already.
   virtual void start() = 0;
   /// Called by the manager: returns after the handler under way, or run(); no other begins. What
-  /// waits is answered Errc::Lost. The derived class must still exist.
+  /// waits is answered Errc::Lost. The derived class must still exist. Throws SetupError as
+  /// refuseToStopInCycle() does.
   virtual void stop() = 0;
+  /// Any thread. Throws SetupError in a hook, handler or run() of this task, or of a guest, because
+  /// stop() would wait there for itself.
+  void refuseToStopInCycle();
 
   /// Before start(), and before `guest` is connected: from now on a cycle of `guest` follows each
   /// of this task's, in the same thread; several guests run in the order in which they were lent
@@ -122,6 +126,8 @@ class Task : public Component {
  private:
   friend class GuestTask;
 
+  class InCycle;
+
   void take(Transition transition) final;
   void parkSoon(std::string reason) final;
   void parkIfAsked();
@@ -136,6 +142,7 @@ class Task : public Component {
   bool isConnected() const;
 
   std::vector<GuestTask*> guests_;
+  std::atomic<bool> inCycle_{false};  // its code may run, in the thread that owns it
   std::atomic<std::optional<Transition>> requested_{std::nullopt};
   // Has what the first call in another thread threw.
   std::atomic_flag failing_ = ATOMIC_FLAG_INIT;

@@ -45,6 +45,7 @@ void ThreadTask::configureAndLoop() {
 }
 
 void ThreadTask::stop() {
+  refuseToStopInCycle();
   if (!thread_.joinable()) return;
   setEnding(true);
   stopBell_.ring();

@@ -114,6 +114,48 @@ TEST(CallbackTask, StopWaitsForTheCycleUnderWay) {
   caller.join();
 }
 
+const char* const kStopElsewhere =
+    "stopping '(unnamed)': it is asked for in its own thread, which would wait for itself. Stop it "
+    "in the thread that started it; in its own, request() a suspension";
+
+TEST(CallbackTask, IsNotStoppedInItsCycle) {
+  std::string answer;
+  Worker<CallbackTask>* self = nullptr;
+  Worker<CallbackTask> task([&] { answer = refusal([&] { self->stop(); }); });
+  self = &task;
+  task.start();
+  EXPECT_TRUE(task.trigger());
+  EXPECT_EQ(answer, kStopElsewhere);
+  EXPECT_EQ(task.state(), ComponentState::Running);
+  task.stop();
+  EXPECT_EQ(task.state(), ComponentState::Stopped) << "the same thread, but not in a cycle";
+}
+
+TEST(PeriodicTask, IsNotStoppedInItsOwnThread) {
+  Worker<PeriodicTask>* self = nullptr;
+  Worker<PeriodicTask> task([&] { self->stop(); }, PeriodicOptions{.period = 1ms});
+  self = &task;
+  task.start();
+  EXPECT_TRUE(eventually([&] { return task.state() == ComponentState::Faulted; }));
+  EXPECT_EQ(task.fault(), kStopElsewhere);
+}
+
+TEST(GuestTask, DoesNotStopItsHost) {
+  std::string answer;
+  std::atomic<bool> asked{false};
+  Worker<GuestTask> guest;
+  Worker<PeriodicTask> host({}, PeriodicOptions{.period = 1ms});
+  guest.work = [&] {
+    if (asked) return;
+    answer = refusal([&] { host.stop(); });
+    asked = true;
+  };
+  host.lend(guest);
+  host.start();
+  EXPECT_TRUE(eventually([&] { return asked.load(); }));
+  EXPECT_EQ(answer, kStopElsewhere);
+}
+
 TEST(GuestTask, FollowsItsHostInTheOrderOfLending) {
   std::vector<std::string> order;
   std::vector<std::thread::id> threads;
