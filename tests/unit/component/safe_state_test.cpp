@@ -103,6 +103,15 @@ TEST_F(SafeState, TheBudgetFillsUpAgain) {
   }
 }
 
+TEST_F(SafeState, ASuspendOutlivesTheRestart) {
+  begin({.most = 1, .per = 24h});
+  surgeon_.request(Transition::Suspend);
+  breakDown();
+  EXPECT_EQ(surgeon_.state(), ComponentState::Suspended);
+  EXPECT_EQ(surgeon_.faults(), 1u);
+  EXPECT_EQ(surgeon_.safeStates, 1);
+}
+
 TEST_F(SafeState, ARestartThatFailsIsAFaultToo) {
   begin({.most = 3, .per = 24h});
   surgeon_.restartBroken = true;

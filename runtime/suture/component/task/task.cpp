@@ -106,10 +106,11 @@ void Task::parkIfAsked() {
 void Task::makeRequestedTransition() {
   if (!requested_.load(std::memory_order_relaxed)) return;
   const auto requested = requested_.exchange(std::nullopt, std::memory_order_acquire);
-  if (!after(state(), *requested)) return;  // it has been parked since this was requested
+  if (!after(state(), *requested)) return;  // it was parked after this, and not restarted
   activity_.run(now());
   makeTransition(*requested);
   if (state() != ComponentState::Running) rest();
+  makeSafe();
 }
 
 void Task::cycle() {
@@ -117,8 +118,8 @@ void Task::cycle() {
   parkIfAsked();
   if (goesOn()) parkOnThrow([this] { work(); });
   if (state() != ComponentState::Running) rest();
+  makeSafe();  // a task that is restarted can still do what is requested
   makeRequestedTransition();
-  makeSafe();
   ringNow();
   for (GuestTask* guest : guests_) guest->cycle();
 }
