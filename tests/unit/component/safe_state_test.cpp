@@ -240,6 +240,27 @@ TEST(Restart, ClientsReachTheComponentAgain) {
   EXPECT_EQ(watch->losses, 2u);
 }
 
+TEST(Faults, AHandlerThatIsServedInEveryStateMayThrow) {
+  RestartedArm arm;
+  arm.port.serveInEveryState();
+  arm.restartAfterFaults({.most = 3, .per = 24h});
+  arm.start();
+  Surgeon surgeon;
+  surgeon.start();
+  const auto channel = connectLocally(surgeon.slave, arm.port, "Surgeon/Slave -> PSM/Arm");
+  surgeon.cycle();
+  arm.request(Transition::Suspend);
+  arm.cycle();
+  for (std::uint64_t failed = 1; failed <= 2; ++failed) {  // suspended, then faulted
+    EXPECT_TRUE(surgeon.slave.hold());
+    arm.cycle();
+    EXPECT_EQ(arm.state(), ComponentState::Faulted) << "nobody has resumed it";
+    EXPECT_EQ(channel->commands.counters.failed, failed);
+  }
+  EXPECT_EQ(arm.fault(), "the drive did not answer");
+  EXPECT_EQ(arm.faults(), 1u);
+}
+
 TEST(Restart, ABudgetWithoutATimeIsRefused) {
   Surgeon surgeon;
   for (const Duration per : {Duration{0}, Duration{-1}}) {

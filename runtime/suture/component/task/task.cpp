@@ -190,12 +190,15 @@ void Task::work() {
                            std::memory_order_relaxed);
 }
 
-// Does the part of a cycle that runs no user code.
+// Does the part of a cycle that runs no user code, but for interfaces served in every state. What
+// one of these throws keeps no other from its turn.
 void Task::rest() {
   for (RequiredBase* interface : required()) interface->adopt();
   for (ProvidedBase* interface : provided()) {
-    interface->drain();
-    if (interface->inService()) interface->publishRow();
+    parkOnThrow([interface] {
+      interface->drain();
+      if (interface->inService()) interface->publishRow();
+    });
   }
 }
 
