@@ -4,6 +4,8 @@
 #include <suture/component/channel/channel.h>
 #include <suture/wiring/connect.h>
 
+#include <functional>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -120,6 +122,33 @@ TEST(Call, ItsHandlerHearsThatTheProviderEnds) {
   }
   client.processEvents();
   EXPECT_EQ(end, Errc::Lost);
+}
+
+TEST(Call, OneThatComesWhileItsProviderStopsIsAnswered) {
+  struct Stopping final : Task {
+    void start() override {
+      prepare();
+      enter();
+    }
+    void stop() override { leave(); }
+    void onStop() override { stopping(); }
+    void run() override {}
+    std::function<void()> stopping = [] {};
+    CountingArm arm;
+    Provided<ArmLike> port{*this, "Arm", arm};
+  } provider;
+  ArmClient client;
+  const auto channel = connectLocally(client.arm, provider.port, "test");
+  provider.start();
+  std::optional<decltype(client.arm.hold.start())> call;
+  provider.stopping = [&] {
+    call.emplace(client.arm.hold.start());
+    EXPECT_TRUE(client.arm.hold());
+  };
+  provider.stop();
+  ASSERT_TRUE(call && call->poll());
+  EXPECT_EQ(call->poll()->error(), Errc::Lost);
+  EXPECT_EQ(channel->commands.counters.refused, 2u);
 }
 
 TEST(Call, ItsHandlerIsToldAtOnceOfARefusal) {

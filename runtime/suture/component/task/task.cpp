@@ -202,14 +202,21 @@ void Task::rest() {
   }
 }
 
-// Refuses the commands that still wait, so that each has an answer.
+// Refuses the commands that still wait, so that each has an answer, also those that came while
+// onStop() ran. By then the clients have been told, so no more are sent.
 void Task::leave() {
   const InCycle here(*this);
   setEnding(true);
   for (GuestTask* guest : guests_) guest->leave();
-  for (ProvidedBase* interface : provided()) interface->drain();
+  refuseWaiting();
   endLife();
+  refuseWaiting();
+  ringNow();
   releaseThread();
+}
+
+void Task::refuseWaiting() {
+  for (ProvidedBase* interface : provided()) interface->drain();
 }
 
 bool Task::ownWorkPending() const {

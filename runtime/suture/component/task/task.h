@@ -138,6 +138,7 @@ class Task : public Component {
   bool goesOn() const;
   void work();
   void rest();
+  void refuseWaiting();
   bool ownWorkPending() const;
   bool isConnected() const;
 
