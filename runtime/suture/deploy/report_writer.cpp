@@ -31,8 +31,9 @@ void ReportWriter::report(const Report& report) {
   flush();
   if (descriptor_ < 0 || !waiting_.empty()) return;
   if (const std::uint64_t count = std::exchange(leftOut_, 0); count > 0) {
-    failure(std::to_string(count) +
-            " failures are left out here, whose text nobody has read in time");
+    const std::string text =
+        std::to_string(count) + " failures are left out here, whose text nobody has read in time";
+    failure(text);
   }
   nlohmann::json message = toJson(report);
   message["kind"] = "report";

@@ -26,17 +26,19 @@ void pin(const std::string& name, int processor) {
 
 void prioritize(const std::string& name, const Scheduling& scheduling) {
   const bool fifo = scheduling.policy == Policy::Fifo;
+  const std::string asked = "cannot give the thread of " + name + " " +
+                            (fifo ? "SCHED_FIFO" : "SCHED_RR") + " priority " +
+                            std::to_string(scheduling.priority);
+  if (scheduling.priority < 1 || scheduling.priority > 99) {
+    throw SetupError(asked, "there is no such priority", "Give one from 1 to 99");
+  }
   sched_param parameters{};
   parameters.sched_priority = scheduling.priority;
   const int error =
       pthread_setschedparam(pthread_self(), fifo ? SCHED_FIFO : SCHED_RR, &parameters);
   if (error == 0) return;
-  throw SetupError("cannot give the thread of " + name + " " + (fifo ? "SCHED_FIFO" : "SCHED_RR") +
-                       " priority " + std::to_string(scheduling.priority),
-                   std::strerror(error),
-                   error == EINVAL
-                       ? "Give a priority from 1 to 99"
-                       : "Grant real-time priorities (ulimit -r, CAP_SYS_NICE) or leave it out");
+  throw SetupError(asked, std::strerror(error),
+                   "Grant real-time priorities (ulimit -r, CAP_SYS_NICE) or leave it out");
 }
 
 /// Is the kernel's struct sched_attr, which glibc 2.36 does not declare.

@@ -3,9 +3,14 @@
 #include <suture/base/errors.h>
 #include <suture/rt/scheduling.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <thread>
+
+#include "support/refusal.h"
+#include "support/refused_call.h"
 
 namespace suture::rt {
 namespace {
@@ -64,9 +69,20 @@ TEST(Scheduling, ARefusedWishLeavesTheOthers) {
   const Granted nonsense = grantedOf("PSM", {Policy::Fifo, 100, processor});
   EXPECT_EQ(nonsense.scheduling, (Scheduling{.processor = processor}));
   ASSERT_EQ(nonsense.refusals.size(), 1u);
-  EXPECT_TRUE(
-      nonsense.refusals[0].starts_with("cannot give the thread of PSM SCHED_FIFO priority 100: "))
-      << nonsense.refusals[0];
+  EXPECT_EQ(nonsense.refusals[0],
+            "cannot give the thread of PSM SCHED_FIFO priority 100: there is no such priority. "
+            "Give one from 1 to 99");
+}
+
+TEST(Scheduling, WithoutTheRightToAPriorityTellsHowToGetIt) {
+  inThread([] {
+    refuseCall(SYS_sched_setscheduler, EPERM);
+    EXPECT_EQ(refusal([] {
+                schedule("PSM", {Policy::RoundRobin, 10});
+              }),
+              "cannot give the thread of PSM SCHED_RR priority 10: Operation not permitted. Grant "
+              "real-time priorities (ulimit -r, CAP_SYS_NICE) or leave it out");
+  });
 }
 
 TEST(Scheduling, AskingWhatIsGrantedLeavesTheThreadThatAsksAlone) {
