@@ -107,7 +107,7 @@ void requireKnown(const Contract& contract, const std::string& name) {
     }
   }
   throw SetupError("watch '" + name + "' of " + contract.title(),
-                   contract.name() + " has events and commands " + listNames(names),
+                   contract.name() + " has " + listNamed("events and commands", names),
                    remedyForName(name, names));
 }
 

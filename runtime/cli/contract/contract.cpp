@@ -100,7 +100,7 @@ void Contract::refuse(const char* word, const std::string& name,
   std::vector<std::string> names;
   for (const Member& one : existing) names.push_back(one.name);
   throw SetupError("find " + std::string(word) + " '" + name + "' of " + title_,
-                   this->name() + " has " + word + "s " + listNames(names),
+                   this->name() + " has " + listNamed(std::string(word) + "s", names),
                    remedyForName(name, names));
 }
 

@@ -15,9 +15,9 @@ const Record* findIn(const std::vector<Record>& records, const std::string& name
   return found == records.end() ? nullptr : &*found;
 }
 
-[[noreturn]] void refuse(const std::string& asked, const std::string& owner,
+[[noreturn]] void refuse(const std::string& asked, const std::string& owner, const char* what,
                          const std::string& name, const std::vector<std::string>& names) {
-  throw SetupError("find '" + asked + "'", owner + " " + listNames(names),
+  throw SetupError("find '" + asked + "'", owner + " has " + listNamed(what, names),
                    remedyForName(name, names));
 }
 
@@ -35,7 +35,7 @@ ComponentRecord findComponent(Peer& peer, const Target& target) {
   if (const auto* found = findIn(components, target.component)) return *found;
   std::vector<std::string> names;
   for (const ComponentRecord& one : components) names.push_back(one.name);
-  refuse(target.process + ":" + target.component, "process '" + target.process + "' has components",
+  refuse(target.process + ":" + target.component, "process '" + target.process + "'", "components",
          target.component, names);
 }
 
@@ -49,7 +49,7 @@ Found findInterface(Peer& peer, const Target& target) {
     std::vector<std::string> names;
     for (const auto& one : component.provided) names.push_back(one.name);
     for (const auto& one : component.required) names.push_back(one.name);
-    refuse(target.toString(), "component '" + target.component + "' has interfaces",
+    refuse(target.toString(), "component '" + target.component + "'", "interfaces",
            target.interface, names);
   }
   const Side side = provided != nullptr ? Side::PROVIDED : Side::REQUIRED;

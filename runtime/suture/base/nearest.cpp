@@ -46,6 +46,10 @@ std::string listNames(const std::vector<std::string>& names) {
   return text;
 }
 
+std::string listNamed(const std::string& what, const std::vector<std::string>& names) {
+  return names.empty() ? "no " + what : what + " " + listNames(names);
+}
+
 std::string remedyForName(std::string_view name, const std::vector<std::string>& names) {
   if (names.empty()) return "Look whether another was meant";
   const std::string nearest = nearestName(name, names);

@@ -14,6 +14,9 @@ std::string nearestName(std::string_view name, const std::vector<std::string>& c
 /// Returns "'a', 'b' and 'c'", or "none".
 std::string listNames(const std::vector<std::string>& names);
 
+/// Returns "interfaces 'a' and 'b'", or "no interfaces", for what somebody has.
+std::string listNamed(const std::string& what, const std::vector<std::string>& names);
+
 /// Returns what to do where `name` was asked for and only `names` exist.
 std::string remedyForName(std::string_view name, const std::vector<std::string>& names);
 

@@ -115,7 +115,7 @@ class Run {
 
   int untilEnd() {
     reports_.started();
-    if (!toldByReports_) tell("runs " + listNames(host_.componentNames()));
+    if (!toldByReports_) tellWhatRuns();
     Time reportDue = began_ + interval_;
     while (now() < end_) {
       if (signals_.endBefore(std::min({reportDue, end_, now() + kWatchInterval}))) break;
@@ -199,6 +199,11 @@ class Run {
     tell(problem);
     reportsLost_ = true;
   }
+  void tellWhatRuns() const {
+    const std::vector<std::string> names = host_.componentNames();
+    tell("runs " + (names.empty() ? "no component" : listNames(names)));
+  }
+
 
   void tell(const std::string& text) const {
     std::fprintf(stderr, "%s: %s\n", host_.manager().process().c_str(), text.c_str());

@@ -24,7 +24,7 @@ Interface& findIn(const std::vector<Interface*>& interfaces, const std::vector<O
   for (const Interface* one : interfaces) names.push_back(one->name());
   throw SetupError(
       "asked for the " + kind + " interface '" + endpoint.toString() + "'",
-      "component '" + endpoint.component + "' has " + kind + " interfaces " + listNames(names),
+      "component '" + endpoint.component + "' has " + listNamed(kind + " interfaces", names),
       named(others, endpoint.interface)
           ? "It stands at the wrong end: a connection goes from a required interface "
             "to a provided one"
@@ -74,7 +74,7 @@ Component& Directory::find(const std::string& component, const std::string& aske
   std::vector<std::string> names;
   for (const auto& [name, unused] : components_) names.push_back(name);
   throw SetupError("asked for '" + asked + "'",
-                   "process '" + process_ + "' has components " + listNames(names),
+                   "process '" + process_ + "' has " + listNamed("components", names),
                    remedyForName(component, names));
 }
 

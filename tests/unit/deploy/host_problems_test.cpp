@@ -134,7 +134,7 @@ TEST(HostProblems, ItsProvidedInterfaceThatAnotherProcessMisspells) {
   EXPECT_EQ(remote(R"({"from": "all:PSM/Arm", "to": "far:C/Arm"})"),
             std::vector<std::string>{
                 "d.json:6: error: asked for the required interface 'all:PSM/Arm': component 'PSM' "
-                "has required interfaces none. It stands at the wrong end: a connection goes from "
+                "has no required interfaces. It stands at the wrong end: a connection goes from "
                 "a required interface to a provided one"});
 }
 

@@ -57,13 +57,17 @@ TEST_F(Wired, AMissingInterfaceIsNamedWithTheNearest) {
   EXPECT_EQ(refusal([&] { directory_.provided(Endpoint::parse("PSM1/Arn")); }),
             "asked for the provided interface 'PSM1/Arn': component 'PSM1' has provided interfaces "
             "'Arm'. Did you mean 'Arm'?");
-  EXPECT_EQ(refusal([&] { directory_.required(Endpoint::parse("PSM1/Arm")); }),
-            "asked for the required interface 'PSM1/Arm': component 'PSM1' has required interfaces "
-            "none. It stands at the wrong end: a connection goes from a required interface to a "
-            "provided one");
+  EXPECT_EQ(
+      refusal([&] { directory_.required(Endpoint::parse("PSM1/Arm")); }),
+      "asked for the required interface 'PSM1/Arm': component 'PSM1' has no required "
+      "interfaces. It stands at the wrong end: a connection goes from a required interface to a "
+      "provided one");
   EXPECT_EQ(refusal([&] { directory_.required(Endpoint::parse("PSM1/Slave")); }),
-            "asked for the required interface 'PSM1/Slave': component 'PSM1' has required "
-            "interfaces none. Look whether another was meant");
+            "asked for the required interface 'PSM1/Slave': component 'PSM1' has no required "
+            "interfaces. Look whether another was meant");
+  EXPECT_EQ(refusal([] { Directory("empty").required(Endpoint::parse("PSM1/Arm")); }),
+            "asked for 'PSM1/Arm': process 'empty' has no components. Look whether another was "
+            "meant");
 }
 
 TEST_F(Wired, ANameIsTakenOnce) {

@@ -27,7 +27,8 @@ void declare(const Component& component, const std::string& name, const Frames& 
   const bool required = declare(component.required(), name, frames, names);
   if (provided || required) return;
   throw SetupError("declaring the frames of interface '" + name + "'",
-                   "its component has interfaces " + listNames(names), remedyForName(name, names));
+                   "its component has " + listNamed("interfaces", names),
+                   remedyForName(name, names));
 }
 
 }  // namespace
