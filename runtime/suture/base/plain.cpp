@@ -18,4 +18,34 @@ std::string plain(const std::string& text) {
   return shown;
 }
 
+void assignCut(std::string& out, std::string_view text, std::size_t capacity) {
+  constexpr std::string_view kCut = "...";
+  if (text.size() <= capacity) {
+    out = text;
+    return;
+  }
+  std::size_t length = capacity - kCut.size();
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
+  out = text.substr(0, length);
+  out += kCut;
+}
+
+std::string quotedForShell(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char one : text) {
+    if (std::string_view("\\\"$`").find(one) != std::string_view::npos) quoted += '\\';
+    quoted += one;
+  }
+  return quoted + "\"";
+}
+
+std::string whyCommand(std::string_view message) {
+  constexpr std::string_view kPlace = ": error: ";
+  message = message.substr(0, message.find('\n'));
+  if (const auto place = message.find(kPlace); place != std::string_view::npos) {
+    message.remove_prefix(place + kPlace.size());
+  }
+  return "suture why " + quotedForShell(plain(std::string(message)));
+}
+
 }  // namespace suture

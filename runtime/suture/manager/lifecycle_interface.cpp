@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/base/plain.h>
 #include <suture/component/required.h>
 #include <suture/manager/lifecycle_interface.h>
 
@@ -35,7 +36,7 @@ LifecycleInterface::LifecycleInterface(Component& component, std::shared_ptr<rt:
 
 void LifecycleInterface::stateChanged(ComponentState state) {
   StateChange change{.state = state, .fault = {}, .stamp = now()};
-  if (state == ComponentState::Faulted) change.fault = component_.fault().substr(0, kLongestFault);
+  if (state == ComponentState::Faulted) assignCut(change.fault, component_.fault(), kLongestFault);
   (void)provided_.emit().state_changed(change);  // it fits
   changed_->ring();
 }

@@ -1,6 +1,7 @@
 #pragma once
 // This writes a message without allocating.
 
+#include <suture/base/plain.h>
 #include <suture/standard/messages.h>
 
 #include <cstddef>
@@ -19,9 +20,7 @@ class MessageDraft {
   /// bytes is cut between two characters and ends in "...", because a part of a message is better
   /// than none.
   const Message& write(std::string_view text, std::uint32_t code, std::uint32_t counter) {
-    const bool fits = text.size() <= kCapacity;
-    message_.text = fits ? text : beginning(text, kCapacity - kCut.size());
-    if (!fits) message_.text += kCut;
+    assignCut(message_.text, text, kCapacity);
     message_.code = code;
     message_.counter = counter;
     message_.stamp = now();
@@ -30,13 +29,6 @@ class MessageDraft {
 
  private:
   static constexpr std::size_t kCapacity = 255;  // as Message declares
-  static constexpr std::string_view kCut = "...";
-
-  // Returns at most `length` bytes of a longer text, and no half of a UTF-8 character.
-  static std::string_view beginning(std::string_view text, std::size_t length) {
-    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
-    return text.substr(0, length);
-  }
 
   Message message_;
 };

@@ -29,8 +29,9 @@ struct Worker final : PeriodicTask {
   Worker() : PeriodicTask({.period = 1ms}) {}
   ~Worker() override { stop(); }
   void run() override {
-    if (broken) throw std::runtime_error("the encoder says nonsense");
+    if (broken) throw std::runtime_error(complaint);
   }
+  std::string complaint = "the encoder says nonsense";
   std::atomic<bool> broken{false};
 };
 
@@ -288,6 +289,22 @@ TEST(LifecycleInterface, TellsTheEnd) {
   worker.stop();
   EXPECT_TRUE(watcher.hears({"running", "stopped"}));
   EXPECT_EQ(watcher.component.component_state().error(), Errc::Lost);
+}
+
+TEST(LifecycleInterface, AFaultThatIsTooLongEndsInDots) {
+  Worker worker;
+  worker.complaint = std::string(251, 'x') + "\u00b5m are not enough";
+  Watcher watcher;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.add("Watcher", watcher);
+  manager.start();
+  manager.connect("Watcher/Watched", "Worker/component");
+  EXPECT_TRUE(watcher.hears({"running"}));
+  worker.broken = true;
+  EXPECT_TRUE(watcher.hears({"running", "faulted"}));
+  EXPECT_EQ(watcher.changes.back().fault, std::string(251, 'x') + "...")
+      << "no half of a character";
 }
 
 TEST(LifecycleInterface, ADeviceHasOneToo) {
