@@ -1,4 +1,5 @@
 #include "cli/text/error_pages.h"
+#include <suture/base/plain.h>
 
 #include <algorithm>
 #include <cctype>
@@ -109,12 +110,7 @@ std::string whatToAsk(const std::string& message) {
   if (message.ends_with('?')) return "";  // it says what to do: "Did you mean"
   const std::vector<Row> rows = rowsOf(message);
   if (rows.empty()) return "";
-  std::string pattern(rows.front().pattern);
-  for (std::size_t at = pattern.find('"'); at != std::string::npos;
-       at = pattern.find('"', at + 2)) {
-    pattern.insert(at, "\\");
-  }
-  return "suture why \"" + pattern + "\"";
+  return "suture why " + quotedForShell(rows.front().pattern);
 }
 
 }  // namespace suture::cli

@@ -1,6 +1,7 @@
 // suture-manager is the global manager as its own process.
 
 #include <suture/base/errors.h>
+#include <suture/base/plain.h>
 #include <suture/loop/control_thread.h>
 #include <suture/loop/signal_wait.h>
 #include <suture/names/global_manager.h>
@@ -70,8 +71,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kMisused;  // 0: --help
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "suture-manager: %s\n`suture why \"...\"` tells more of this.\n",
-                 error.what());
+    std::fprintf(stderr, "suture-manager: %s\n`%s` tells more\n", error.what(),
+                 suture::whyCommand(error.what()).c_str());
     return kFailed;
   }
   return 0;

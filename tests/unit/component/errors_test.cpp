@@ -1,6 +1,7 @@
 // Each error has a text of its own, and so does its absence.
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
+#include <suture/base/plain.h>
 
 #include <set>
 #include <string>
@@ -14,6 +15,12 @@ TEST(Errors, HaveDifferentTexts) {
   for (int code = 0; code <= kLast; ++code) texts.insert(toString(static_cast<Errc>(code)));
   EXPECT_EQ(texts.size(), std::size_t{kLast} + 1);
   EXPECT_FALSE(texts.contains("unknown error"));
+}
+
+TEST(WhyCommand, CanBeCopiedIntoAShell) {
+  EXPECT_EQ(whyCommand("d.json:3: error: no class 'A'; add \"library\"\nd.json:4: error: more"),
+            "suture why \"no class 'A'; add \\\"library\\\"\"");
+  EXPECT_EQ(whyCommand("open $HOME: `no`\x1b"), "suture why \"open \\$HOME: \\`no\\`?\"");
 }
 
 TEST(Errors, AreNoneWhereTheCodeIsZero) { EXPECT_STREQ(toString(Errc{}), "no error"); }
