@@ -122,7 +122,8 @@ class Run {
       watch();
       reports_.flush();
       tellOfReports();
-      if (now() < reportDue) continue;
+      const Time looked = now();
+      if (looked < reportDue || looked >= end_) continue;  // the last report comes after this
       reports_.report(observe(host_.manager(), began_));
       reportDue += interval_;
     }

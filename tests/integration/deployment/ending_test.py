@@ -43,6 +43,12 @@ class Ending(Stations):
             self.assertEqual(self.brake.read_text().split(), ["running", "stopped"])
             self.assertEqual([one.name for one in self.folder.glob("*.sock")], ["manager.sock"])
 
+    def test_the_last_report_is_told_once(self):
+        station = self.workstation({"processes": [{"name": "robot", "components": []}]}, "--report-fd", "-", "--report-interval", "0.2",
+                                   "--seconds", "0.2")
+        kinds = [json.loads(line)["kind"] for line in station.communicate(timeout=60)[0].splitlines()]
+        self.assertEqual(kinds, ["started", "report"])
+
     def test_a_reader_that_does_not_read_holds_up_nothing(self):
         spindle = component("Spindle", "Spindle", cycles=1000000, brake=str(self.brake))
         deployment = {"processes": [{"name": "robot", "components": [spindle]}]}
