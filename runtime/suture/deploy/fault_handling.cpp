@@ -21,25 +21,16 @@ std::string prefixOf(const std::string& process) {
   return process + "." + text.data() + "." + std::to_string(getpid()) + ".";
 }
 
-}  // namespace
-
-FaultHandling::FaultHandling(const JsonDocument& document, const ProcessEntry& process,
-                             std::span<const std::unique_ptr<Component>> components)
-    : document_(document), process_(process), components_(components) {
-  std::vector<std::string> problems;
-  giveBudgets(problems);
-  if (process_.blackBox) checkFolder(problems);
-  if (!problems.empty()) throw DocumentError(problems);
-}
-
-void FaultHandling::giveBudgets(std::vector<std::string>& problems) const {
-  for (std::size_t i = 0; i < components_.size(); ++i) {
-    const ComponentEntry& entry = process_.components[i];
-    if (!entry.restart) continue;
-    if (components_[i]->ownsThread()) {
-      static_cast<Task&>(*components_[i]).restartAfterFaults(*entry.restart);
+void giveBudgets(const JsonDocument& document, const ProcessEntry& process,
+                 std::span<const std::unique_ptr<Component>> components,
+                 std::vector<std::string>& problems) {
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const ComponentEntry& entry = process.components[i];
+    if (!entry.restart || components[i] == nullptr) continue;
+    if (components[i]->ownsThread()) {
+      static_cast<Task&>(*components[i]).restartAfterFaults(*entry.restart);
     } else {
-      problems.push_back(document_.locate(
+      problems.push_back(document.locate(
           entry.pointer + "/restart",
           "component '" + entry.name + "' of class '" + entry.className +
               "' is to be restarted after faults, but it is a device, which has no thread to be "
@@ -49,15 +40,25 @@ void FaultHandling::giveBudgets(std::vector<std::string>& problems) const {
 }
 
 // Looks now, because at the first fault it would be too late to say so.
-void FaultHandling::checkFolder(std::vector<std::string>& problems) const {
-  const std::filesystem::path& folder = process_.blackBox->folder;
+void checkFolder(const JsonDocument& document, const ProcessEntry& process,
+                 std::vector<std::string>& problems) {
+  const std::filesystem::path& folder = process.blackBox->folder;
   const bool there = std::filesystem::is_directory(folder);
   if (there && access(folder.c_str(), W_OK | X_OK) == 0) return;
-  problems.push_back(document_.locate(
-      process_.blackBox->pointer + "/folder",
-      "the black box of process '" + process_.name + "' is to write to '" + folder.string() +
+  problems.push_back(document.locate(
+      process.blackBox->pointer + "/folder",
+      "the black box of process '" + process.name + "' is to write to '" + folder.string() +
           (there ? "', where this user may not write; give it the right to, or name another folder"
                  : "', which is no folder; create it, or name another one")));
+}
+
+}  // namespace
+
+void prepareForFaults(const JsonDocument& document, const ProcessEntry& process,
+                      std::span<const std::unique_ptr<Component>> components,
+                      std::vector<std::string>& problems) {
+  giveBudgets(document, process, components, problems);
+  if (process.blackBox) checkFolder(document, process, problems);
 }
 
 std::vector<Component*> FaultHandling::watched() const {

@@ -15,14 +15,19 @@
 
 namespace suture {
 
-/// Used by one thread. Gives tasks their restart budgets, runs the black box, and has the news of
-/// both.
+/// Gives tasks their restart budgets. `components` are in the order of `process`, and null where
+/// one cannot be created. Adds a problem if a device must be restarted, or the black box has no
+/// folder to write to.
+void prepareForFaults(const JsonDocument& document, const ProcessEntry& process,
+                      std::span<const std::unique_ptr<Component>> components,
+                      std::vector<std::string>& problems);
+
+/// Used by one thread. Runs the black box, and has its news and those of restarts.
 class FaultHandling {
  public:
-  /// `components` are in the order of `process`; both outlive this, and the document. Throws
-  /// DocumentError if a device must be restarted, or the black box has no folder to write to.
-  FaultHandling(const JsonDocument& document, const ProcessEntry& process,
-                std::span<const std::unique_ptr<Component>> components);
+  /// `components` are in the order of `process`; both outlive this.
+  FaultHandling(const ProcessEntry& process, std::span<const std::unique_ptr<Component>> components)
+      : process_(process), components_(components) {}
 
   /// Call it when the components have their names, before they are started and connected.
   void begin();
@@ -40,11 +45,8 @@ class FaultHandling {
     std::uint64_t faults = 0;  // those that news() has returned
   };
 
-  void giveBudgets(std::vector<std::string>& problems) const;
-  void checkFolder(std::vector<std::string>& problems) const;
   std::vector<Component*> watched() const;
 
-  const JsonDocument& document_;
   const ProcessEntry& process_;
   const std::span<const std::unique_ptr<Component>> components_;
   std::vector<Known> known_;

@@ -1,57 +1,14 @@
-#include <suture/base/nearest.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/required.h>
 #include <suture/component/task/task.h>
-#include <suture/deploy/document/connection_ends.h>
-#include <suture/deploy/document/interface_frames.h>
-#include <suture/deploy/document/policy_file.h>
 #include <suture/deploy/host.h>
-#include <suture/net/tls/keys.h>
+#include <suture/deploy/process/security.h>
 
-#include <algorithm>
 #include <map>
 #include <utility>
 
 namespace suture {
 namespace {
-
-const ComponentClass* find(std::span<const ComponentClass> classes, const std::string& name) {
-  const auto found = std::find_if(classes.begin(), classes.end(),
-                                  [&](const ComponentClass& one) { return name == one.name; });
-  return found == classes.end() ? nullptr : &*found;
-}
-
-bool isCollector(const ComponentEntry& entry, std::span<const ComponentClass> ofProgram) {
-  return entry.sharedLibrary.empty() && Collectors::offers(entry.className) &&
-         find(ofProgram, entry.className) == nullptr;
-}
-
-std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentClass> classes) {
-  const bool isOfProgram = entry.sharedLibrary.empty();
-  std::vector<std::string> offered;
-  for (const ComponentClass& one : classes) offered.emplace_back(one.name);
-  if (isOfProgram) {
-    for (const char* const collector : Collectors::kClasses) offered.emplace_back(collector);
-  }
-  const std::string nearest = nearestName(entry.className, offered);
-  const std::string where =
-      isOfProgram ? "this program" : "library '" + entry.sharedLibrary.string() + "'";
-  std::string remedy = "; did you mean '" + nearest + "'?";
-  if (nearest.empty()) {
-    remedy = isOfProgram ? "; one of a shared library needs the key \"library\" too" : "";
-  }
-  return "no component class '" + entry.className + "' in " + where + "; it offers " +
-         listNames(offered) + remedy;
-}
-
-/// Returns "'pose.x': ", the parameter that a problem is about, unless its text names it.
-std::string subjectOf(const JsonProblem& problem, const std::string& parameters) {
-  if (problem.pointer.size() <= parameters.size()) return "";
-  std::string name = problem.pointer.substr(parameters.size() + 1);
-  std::replace(name.begin(), name.end(), '/', '.');
-  const std::string last = "'" + name.substr(name.rfind('.') + 1) + "'";
-  return problem.text.find(last) == std::string::npos ? "'" + name + "': " : "";
-}
 
 /// Says what brings a connection back that was lost for that reason. A process that ends stops its
 /// components first, so the text for a stopped one is true of it as well.
@@ -80,109 +37,23 @@ std::string lossText(const std::map<std::string, std::string>& why, const std::s
 Host::Host(const Deployment& deployment, std::string_view process,
            std::span<const ComponentClass> classes, Duration patience)
     : deployment_(deployment), process_(deployment.process(process)), patience_(patience) {
-  createComponents(classes);
-  declareFrames(deployment_.document(), process_, components_);
-  checkConnections(deployment_, process_, components_);
-  faults_.emplace(deployment_.document(), process_, components_);
-  realTime_.giveTo(components_);
+  std::vector<std::string> problems;
+  components_.emplace(deployment_, process_, classes, problems);
+  if (!problems.empty()) throw DocumentError(problems);
+  faults_.emplace(process_, components_->all());
+  realTime_.giveTo(components_->all());
   createManager();
   realTime_.giveTo(*manager_);
 }
 
-// Collectors come last, because what they collect has to exist.
-void Host::createComponents(std::span<const ComponentClass> classes) {
-  std::vector<std::string> problems;
-  Collectors::checkFiles(
-      deployment_, [&](const ComponentEntry& entry) { return isCollector(entry, classes); },
-      problems);
-  components_.resize(process_.components.size());
-  const auto createAll = [&](bool collectors) {
-    for (std::size_t i = 0; i < components_.size(); ++i) {
-      const ComponentEntry& entry = process_.components[i];
-      if (isCollector(entry, classes) != collectors) continue;
-      const Collectors::Create creator = collectors ? collectors_.find(entry, components_, problems)
-                                                    : creatorOf(entry, classes, problems);
-      if (creator) components_[i] = create(entry, creator, problems);
-    }
-  };
-  createAll(false);
-  createAll(true);
-  if (!problems.empty()) throw DocumentError(problems);
-}
-
-const SharedLibrary& Host::library(const std::filesystem::path& file) {
-  return libraries_.try_emplace(file, file).first->second;
-}
-
-Collectors::Create Host::creatorOf(const ComponentEntry& entry,
-                                   std::span<const ComponentClass> ofProgram,
-                                   std::vector<std::string>& problems) {
-  const JsonDocument& document = deployment_.document();
-  try {
-    const auto classes =
-        entry.sharedLibrary.empty() ? ofProgram : library(entry.sharedLibrary).classes();
-    if (const ComponentClass* found = find(classes, entry.className)) return found->create;
-    problems.push_back(document.locate(entry.pointer + "/class", unknownClass(entry, classes)));
-  } catch (const SetupError& error) {
-    problems.push_back(document.locate(entry.pointer + "/library", error.what()));
-  }
-  return {};
-}
-
-std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
-                                        const Collectors::Create& create,
-                                        std::vector<std::string>& problems) {
-  const JsonDocument& document = deployment_.document();
-  std::vector<JsonProblem> parameterProblems;
-  const std::string pointer = entry.pointer + "/parameters";
-  const JsonReader parameters(entry.parameters, pointer, parameterProblems);
-  std::unique_ptr<Component> component;
-  std::string thrown;
-  try {
-    component = create(parameters);
-  } catch (const std::exception& error) {
-    thrown = document.locate(entry.pointer, "component '" + entry.name + "' of class '" +
-                                                entry.className +
-                                                "' cannot be created: " + error.what());
-  }
-  std::stable_sort(parameterProblems.begin(), parameterProblems.end(),
-                   [&](const JsonProblem& one, const JsonProblem& other) {
-                     return document.lineOf(one.pointer) < document.lineOf(other.pointer);
-                   });
-  // These come first: a key that is spelled wrongly is often why the constructor throws.
-  for (const JsonProblem& problem : parameterProblems) {
-    problems.push_back(
-        document.locate(problem.pointer, "parameters of '" + entry.name + "' (" + entry.className +
-                                             "): " + subjectOf(problem, pointer) + problem.text));
-  }
-  if (!thrown.empty()) problems.push_back(thrown);
-  return component;
-}
-
-Security Host::security() {
-  Security ours;
-  if (!deployment_.policy().empty()) ours.policy = readPolicy(deployment_.policy());
-  if (deployment_.keys().empty()) return ours;
-  try {
-    const auto keys = std::make_shared<const tls::Keys>(deployment_.keys(), process_.name);
-    if (!keys->warning().empty()) {
-      warnings_.push_back(deployment_.document().warn("/keys", keys->warning()));
-    }
-    ours.keys = keys;
-  } catch (const SetupError& error) {
-    throw DocumentError({deployment_.document().locate("/keys", error.what())});
-  }
-  return ours;
-}
-
 void Host::createManager() {
   const std::string& address = deployment_.manager();
-  const Security ours = security();
+  const Security ours = securityOf(deployment_, process_, warnings_);
   try {
     manager_ = address.empty() ? std::make_unique<Manager>(process_.name)
                                : std::make_unique<Manager>(process_.name, address, ours, patience_);
-    for (std::size_t i = 0; i < components_.size(); ++i) {
-      manager_->add(process_.components[i].name, *components_[i]);
+    for (std::size_t i = 0; i < components().size(); ++i) {
+      manager_->add(process_.components[i].name, *components()[i]);
     }
   } catch (const SetupError& error) {
     throw DocumentError({deployment_.document().locate("/manager", error.what())});
@@ -192,12 +63,12 @@ void Host::createManager() {
 void Host::configure() {
   std::vector<std::string> problems;
   manager_->configure();
-  for (std::size_t i = 0; i < components_.size(); ++i) {
-    if (components_[i]->state() != ComponentState::Faulted) continue;
+  for (std::size_t i = 0; i < components().size(); ++i) {
+    if (components()[i]->state() != ComponentState::Faulted) continue;
     const ComponentEntry& entry = process_.components[i];
     problems.push_back(deployment_.document().locate(
         entry.pointer, "component '" + entry.name + "' of class '" + entry.className +
-                           "' cannot be configured: " + components_[i]->fault()));
+                           "' cannot be configured: " + components()[i]->fault()));
   }
   if (!problems.empty()) throw DocumentError(problems);
 }
@@ -207,9 +78,9 @@ void Host::configure() {
 void Host::announceConnections() {
   for (const ConnectionEntry& connection : deployment_.connections()) {
     if (connection.from.process != process_.name) continue;
-    for (std::size_t i = 0; i < components_.size(); ++i) {
+    for (std::size_t i = 0; i < components().size(); ++i) {
       if (process_.components[i].name != connection.from.component) continue;
-      for (RequiredBase* required : components_[i]->required()) {
+      for (RequiredBase* required : components()[i]->required()) {
         if (required->name() == connection.from.interface) required->expectConnection();
       }
     }
@@ -257,7 +128,7 @@ std::vector<std::string> Host::componentNames() const {
 }
 
 void Host::listenToMessages() {
-  messages_.emplace(components_);
+  messages_.emplace(components());
   manager_->add(MessageListener::kName, *messages_);
 }
 
@@ -287,12 +158,12 @@ std::vector<Trouble> Host::troubles() const {
 
 std::vector<Trouble> Host::componentTroubles() const {
   std::vector<Trouble> found;
-  for (std::size_t i = 0; i < components_.size(); ++i) {
-    if (!faultedForGood(*components_[i])) continue;
+  for (std::size_t i = 0; i < components().size(); ++i) {
+    if (!faultedForGood(*components()[i])) continue;
     const ComponentEntry& entry = process_.components[i];
-    const bool loss = components_[i]->faultCause() == FaultCause::Connection;
+    const bool loss = components()[i]->faultCause() == FaultCause::Connection;
     found.push_back({"component '" + process_.name + ":" + entry.name + "'",
-                     "is parked, " + components_[i]->whyFaulted() +
+                     "is parked, " + components()[i]->whyFaulted() +
                          (entry.restart ? ". It is restarted no more" : "") +
                          ". Correct the cause and start the process anew",
                      true, loss});

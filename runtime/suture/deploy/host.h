@@ -2,16 +2,13 @@
 // This runs one process of a deployment.
 
 #include <suture/component/factory/component_class.h>
-#include <suture/deploy/collectors.h>
 #include <suture/deploy/document/deployment.h>
 #include <suture/deploy/fault_handling.h>
 #include <suture/deploy/message_listener.h>
+#include <suture/deploy/process/components.h>
 #include <suture/deploy/real_time.h>
-#include <suture/deploy/shared_library.h>
 #include <suture/manager/manager.h>
-#include <suture/names/security.h>
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,12 +31,9 @@ struct Trouble {
 /// one process.
 class Host {
  public:
-  /// Creates the components of `process` from `classes` and from the libraries that it names, and
-  /// its manager. `deployment` outlives the host. Throws DocumentError for a library that cannot be
-  /// loaded, an unknown class, wrong or refused parameters, a connection that names an interface
-  /// which its component does not have, a required interface without one, frames, a restart, a
-  /// black box or a scheduling that cannot be, and a global manager that does not answer within
-  /// `patience`.
+  /// Creates the components of `process`, as ProcessComponents does, and its manager. `deployment`
+  /// outlives the host. Throws DocumentError with every problem of the components, or for keys and
+  /// a policy that cannot be used, or a global manager that does not answer within `patience`.
   Host(const Deployment& deployment, std::string_view process,
        std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
   Host(const Host&) = delete;
@@ -75,15 +69,8 @@ class Host {
   void endBlackBox() { faults_->end(); }
 
  private:
-  void createComponents(std::span<const ComponentClass> classes);
-  std::unique_ptr<Component> create(const ComponentEntry& entry, const Collectors::Create& create,
-                                    std::vector<std::string>& problems);
-  Collectors::Create creatorOf(const ComponentEntry& entry,
-                               std::span<const ComponentClass> ofProgram,
-                               std::vector<std::string>& problems);
-  const SharedLibrary& library(const std::filesystem::path& file);
   void createManager();
-  Security security();
+  std::span<const std::unique_ptr<Component>> components() const { return components_->all(); }
   void announceConnections();
   void configure();
   bool faultedForGood(const Component& component) const;
@@ -95,10 +82,8 @@ class Host {
   const Duration patience_;
   bool stopped_ = false;
   std::vector<std::string> warnings_;  // of the start, until news() has returned them
-  RealTime realTime_{deployment_.document(), process_};       // locks what comes after it, too
-  std::map<std::filesystem::path, SharedLibrary> libraries_;  // outlive what they contain
-  Collectors collectors_{deployment_, process_};
-  std::vector<std::unique_ptr<Component>> components_;  // in the order of the file
+  RealTime realTime_{deployment_.document(), process_};  // locks what comes after it, too
+  std::optional<ProcessComponents> components_;
   std::optional<MessageListener> messages_;
   std::unique_ptr<Manager> manager_;     // stops before the components go
   std::optional<FaultHandling> faults_;  // looks at components

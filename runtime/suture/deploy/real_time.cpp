@@ -35,6 +35,24 @@ std::string lockAll() {
 
 }  // namespace
 
+void giveScheduling(const JsonDocument& document, const ProcessEntry& process,
+                    std::span<const std::unique_ptr<Component>> components,
+                    std::vector<std::string>& problems) {
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const ComponentEntry& entry = process.components[i];
+    if (!entry.scheduling || components[i] == nullptr) continue;
+    Component& component = *components[i];
+    const bool done =
+        component.ownsThread() && static_cast<Task&>(component).schedule(*entry.scheduling);
+    if (done) continue;
+    problems.push_back(document.locate(
+        entry.pointer + "/scheduling",
+        "component '" + entry.name + "' of class '" + entry.className +
+            "' is to be scheduled, but it has no thread of its own; remove 'scheduling', or "
+            "schedule the component in whose thread it runs"));
+  }
+}
+
 RealTime::RealTime(const JsonDocument& document, const ProcessEntry& process)
     : document_(document), process_(process) {
   if (process_.lockMemory) lockMemory();
@@ -72,21 +90,9 @@ void RealTime::refuse(const std::string& pointer, const std::string& text) {
 }
 
 void RealTime::giveTo(std::span<const std::unique_ptr<Component>> components) const {
-  std::vector<std::string> problems;
   for (std::size_t i = 0; i < components.size(); ++i) {
-    const ComponentEntry& entry = process_.components[i];
-    if (!components_[i]) continue;
-    Component& component = *components[i];
-    const bool done =
-        component.ownsThread() && static_cast<Task&>(component).schedule(*components_[i]);
-    if (done) continue;
-    problems.push_back(document_.locate(
-        entry.pointer + "/scheduling",
-        "component '" + entry.name + "' of class '" + entry.className +
-            "' is to be scheduled, but it has no thread of its own; remove 'scheduling', or "
-            "schedule the component in whose thread it runs"));
+    if (components_[i]) static_cast<Task&>(*components[i]).schedule(*components_[i]);
   }
-  if (!problems.empty()) throw DocumentError(problems);
 }
 
 void RealTime::giveTo(Manager& manager) const {

@@ -15,6 +15,12 @@
 
 namespace suture {
 
+/// Gives each of `components`, which are in the order of `process` and null where one cannot be
+/// created, the scheduling that the file wants. Adds a problem for one without its own thread.
+void giveScheduling(const JsonDocument& document, const ProcessEntry& process,
+                    std::span<const std::unique_ptr<Component>> components,
+                    std::vector<std::string>& problems);
+
 /// Used by one thread, before anything of the process runs. What is not granted is a warning, and
 /// the process runs without it, or an error, if its file says that real time is required.
 class RealTime {
@@ -24,8 +30,8 @@ class RealTime {
   /// required that is not granted.
   RealTime(const JsonDocument& document, const ProcessEntry& process);
 
-  /// `components` are in the order of the process. Throws DocumentError if one without its own
-  /// thread must be scheduled.
+  /// `components` are in the order of the process, and giveScheduling() has found no problem of
+  /// them: leaves them what is granted of that.
   void giveTo(std::span<const std::unique_ptr<Component>> components) const;
   /// Call it before the manager is started.
   void giveTo(Manager& manager) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace suture {
@@ -45,54 +46,67 @@ Unconnected unconnected(const Endpoint& from, const ComponentEntry& entry,
   return {entry.pointer, "add a connection {\"from\": \"" + from.toString() + "\", \"to\": ...}"};
 }
 
-/// Appends what is wrong with the required interfaces of one component.
-void findUnconnected(const Deployment& deployment, const std::string& process,
-                     const ComponentEntry& entry, const Component& component,
-                     std::vector<std::string>& problems) {
-  const auto& all = deployment.connections();
-  for (const RequiredBase* required : component.required()) {
-    const Endpoint from{process, entry.name, required->name()};
-    const bool connected = std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& one) {
-      return one.from.toString() == from.toString();
-    });
-    if (connected || required->isOptional()) continue;
-    const Unconnected found = unconnected(from, entry, component, all);
-    problems.push_back(deployment.document().locate(
-        found.pointer, "required interface '" + from.toString() + "' (" + required->info().name +
-                           ") has no provider; " + found.remedy));
-  }
-}
+/// Judges the ends of connections that lie in one process.
+class Ends {
+ public:
+  Ends(const Deployment& deployment, const std::string& process, std::set<std::string> told,
+       std::vector<std::string>& problems)
+      : deployment_(deployment), process_(process), problems_(problems), told_(std::move(told)) {}
 
-/// Appends which ends of connections name an interface that one component does not have.
-void findUnknown(const Deployment& deployment, const std::string& process,
-                 const ComponentEntry& entry, const Component& component,
-                 std::vector<std::string>& problems) {
-  const auto isHere = [&](const Endpoint& end) {
-    // The manager gives each component this interface later.
-    return end.process == process && end.component == entry.name &&
-           end.interface != LifecycleInterface::kName;
-  };
-  for (const ConnectionEntry& connection : deployment.connections()) {
-    try {
-      if (isHere(connection.from)) requiredBy(component, connection.from);
-      if (isHere(connection.to)) providedBy(component, connection.to);
-    } catch (const SetupError& error) {
-      problems.push_back(deployment.document().locate(connection.pointer, error.what()));
+  /// Adds what is wrong with the required interfaces of one component.
+  void findUnconnected(const ComponentEntry& entry, const Component& component) {
+    const auto& all = deployment_.connections();
+    for (const RequiredBase* required : component.required()) {
+      const Endpoint from{process_, entry.name, required->name()};
+      const bool connected = std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& one) {
+        return one.from.toString() == from.toString();
+      });
+      if (connected || required->isOptional()) continue;
+      const Unconnected found = unconnected(from, entry, component, all);
+      told_.insert(found.pointer);
+      problems_.push_back(deployment_.document().locate(
+          found.pointer, "required interface '" + from.toString() + "' (" + required->info().name +
+                             ") has no provider; " + found.remedy));
     }
   }
-}
+
+  /// Adds which ends of connections name an interface that one component does not have, but for
+  /// connections of which something has been told.
+  void findUnknown(const ComponentEntry& entry, const Component& component) {
+    const auto isHere = [&](const Endpoint& end) {
+      // The manager gives each component this interface later.
+      return end.process == process_ && end.component == entry.name &&
+             end.interface != LifecycleInterface::kName;
+    };
+    for (const ConnectionEntry& connection : deployment_.connections()) {
+      if (told_.contains(connection.pointer)) continue;
+      try {
+        if (isHere(connection.from)) requiredBy(component, connection.from);
+        if (isHere(connection.to)) providedBy(component, connection.to);
+      } catch (const SetupError& error) {
+        problems_.push_back(deployment_.document().locate(connection.pointer, error.what()));
+      }
+    }
+  }
+
+ private:
+  const Deployment& deployment_;
+  const std::string& process_;
+  std::vector<std::string>& problems_;
+  std::set<std::string> told_;  // the places of connections
+};
 
 }  // namespace
 
 // A required interface whose connection misspells it is told once, with its remedy.
 void checkConnections(const Deployment& deployment, const ProcessEntry& process,
-                      std::span<const std::unique_ptr<Component>> components) {
-  std::vector<std::string> problems;
-  for (const auto find : {findUnconnected, findUnknown}) {
+                      std::span<const std::unique_ptr<Component>> components,
+                      std::set<std::string> told, std::vector<std::string>& problems) {
+  Ends ends(deployment, process.name, std::move(told), problems);
+  for (const auto find : {&Ends::findUnconnected, &Ends::findUnknown}) {
     for (std::size_t i = 0; i < components.size(); ++i) {
-      find(deployment, process.name, process.components[i], *components[i], problems);
+      if (components[i] != nullptr) (ends.*find)(process.components[i], *components[i]);
     }
-    if (!problems.empty()) throw DocumentError(problems);
   }
 }
 

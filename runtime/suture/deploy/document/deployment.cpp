@@ -45,6 +45,17 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& ex
 }  // namespace
 
 Deployment::Deployment(JsonDocument document) : document_(std::move(document)) {
+  readAll();
+  if (!problems_.empty()) throw DocumentError(problems_);
+}
+
+Deployment::Deployment(JsonDocument document, std::vector<std::string>& problems)
+    : document_(std::move(document)) {
+  readAll();
+  problems.insert(problems.end(), problems_.begin(), problems_.end());
+}
+
+void Deployment::readAll() {
   for (const JsonProblem& problem :
        checkSchema(document_.value(), json::parse(deploymentSchema()))) {
     report(problem.pointer, problem.text);
@@ -56,7 +67,6 @@ Deployment::Deployment(JsonDocument document) : document_(std::move(document)) {
   checkNames();
   checkSingleProviders();
   checkManager();
-  if (!problems_.empty()) throw DocumentError(problems_);
 }
 
 // The path of a socket counts from the folder of the file, like all paths in it.

@@ -62,6 +62,9 @@ class Deployment {
   /// Throws DocumentError with every problem of the file: of its syntax, of its schema, or of its
   /// names.
   explicit Deployment(JsonDocument document);
+  /// Does the same, but adds the problems of names to `problems`, so that the rest of the file can
+  /// be judged too.
+  Deployment(JsonDocument document, std::vector<std::string>& problems);
 
   const JsonDocument& document() const { return document_; }
   /// Returns what the system is, for people; "" if the file does not say.
@@ -81,6 +84,7 @@ class Deployment {
   std::filesystem::path besideIt(const std::string& path) const;
 
  private:
+  void readAll();
   void readManager();
   void readProcesses();
   ComponentEntry readComponent(const nlohmann::json& component, const std::string& pointer);

@@ -34,9 +34,10 @@ void declare(const Component& component, const std::string& name, const Frames& 
 }  // namespace
 
 void declareFrames(const JsonDocument& document, const ProcessEntry& process,
-                   std::span<const std::unique_ptr<Component>> components) {
-  std::vector<std::string> problems;
+                   std::span<const std::unique_ptr<Component>> components,
+                   std::vector<std::string>& problems) {
   for (std::size_t i = 0; i < components.size(); ++i) {
+    if (components[i] == nullptr) continue;
     const ComponentEntry& entry = process.components[i];
     for (const auto& [name, frames] : entry.frames) {
       try {
@@ -47,7 +48,6 @@ void declareFrames(const JsonDocument& document, const ProcessEntry& process,
       }
     }
   }
-  if (!problems.empty()) throw DocumentError(problems);
 }
 
 }  // namespace suture

@@ -1,6 +1,6 @@
 #include <dlfcn.h>
 #include <suture/base/errors.h>
-#include <suture/deploy/shared_library.h>
+#include <suture/deploy/process/shared_library.h>
 
 #include <string>
 #include <string_view>

@@ -2,7 +2,7 @@
 #include <suture/base/nearest.h>
 #include <suture/component/factory/json_reader.h>
 #include <suture/component/provided.h>
-#include <suture/deploy/collectors.h>
+#include <suture/deploy/process/collectors.h>
 #include <suture/manager/lifecycle_interface.h>
 #include <suture/record/event_collector.h>
 #include <suture/record/state_collector.h>
