@@ -43,10 +43,9 @@ class SharedClient final : public LaneClient {
 
   // Refuses different clocks, because nothing converts the stamps that lie in shared memory.
   std::string whyNot(const OutgoingConnection& connection) const override {
-    if (std::string why = whyUnbounded(connection.contract); !why.empty()) return why;
-    if (!session_.hasOneClock()) return "the two processes have different clocks";
-    if (session_.carriesDescriptors()) return "";
-    return "the two processes are not reached by a Unix socket";
+    const std::string why = whyUnbounded(connection.contract);
+    if (why.empty() && !session_.hasOneClock()) return "the two processes have different clocks";
+    return whyNever(connection.contract, session_.carriesDescriptors());
   }
 
   kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection& connection) override {
@@ -92,6 +91,11 @@ class SharedServer final : public LaneServer {
 };
 
 }  // namespace
+
+std::string whyNever(const InterfaceInfo& contract, bool byUnixSocket) {
+  if (std::string why = whyUnbounded(contract); !why.empty()) return why;
+  return byUnixSocket ? "" : "the two processes are not reached by a Unix socket";
+}
 
 kj::Own<LaneClient> SharedLane::makeClient(ClientSession& session) {
   return kj::heap<SharedClient>(session);

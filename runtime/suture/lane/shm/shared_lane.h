@@ -3,6 +3,8 @@
 
 #include <suture/lane/lane_kind.h>
 
+#include <string>
+
 namespace suture::shm {
 
 class SharedLane final : public LaneKind {
@@ -11,5 +13,9 @@ class SharedLane final : public LaneKind {
   kj::Own<LaneClient> makeClient(ClientSession& session) override;
   kj::Own<LaneServer> makeServer(ServerSession& session) override;
 };
+
+/// Returns why no two processes can share the memory of such a connection, whatever they are; "" if
+/// some can. `byUnixSocket` says how they reach each other.
+std::string whyNever(const InterfaceInfo& contract, bool byUnixSocket);
 
 }  // namespace suture::shm

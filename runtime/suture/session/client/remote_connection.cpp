@@ -1,5 +1,6 @@
 #include <suture/base/plain.h>
 #include <suture/lane/delay/delay_thread.h>
+#include <suture/lane/lane_limits.h>
 #include <suture/loop/deadline.h>
 #include <suture/loop/failure.h>
 #include <suture/session/client/notices_receiver.h>
@@ -166,13 +167,11 @@ kj::Promise<void> RemoteConnection::ask(std::size_t lane) {
 
 kj::Promise<void> RemoteConnection::askNext(std::size_t lane) {
   if (!options_.laneRequired && lane < lanes_.size()) return ask(lane);
-  const std::string asked = "connecting " + name() + ": ";
   if (options_.laneRequired) {
-    return rpc::failure(Type::FAILED, asked + "lane '" + std::string(options_.lane.name) +
-                                          "' is required and cannot carry it: " + laneReason_ +
-                                          ". Remove the reason, or let it have any lane.");
+    return rpc::failure(Type::FAILED, laneRefused(name(), options_.lane, laneReason_).what());
   }
-  return rpc::failure(Type::FAILED, asked + "no lane can carry it. The last says: " + laneReason_ +
+  return rpc::failure(Type::FAILED, "connecting " + name() +
+                                        ": no lane can carry it. The last says: " + laneReason_ +
                                         ". Remove the reason, or add a lane that can.");
 }
 
