@@ -1,4 +1,6 @@
 #include <suture/base/nearest.h>
+#include <suture/base/plain.h>
+#include <suture/deploy/check.h>
 #include <suture/deploy/host.h>
 #include <suture/deploy/number_option.h>
 #include <suture/deploy/report_descriptor.h>
@@ -12,8 +14,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -43,6 +47,7 @@ struct Options {
   std::string reportTo;
   std::string reportForm = "json";
   bool messages = false;
+  bool check = false;
 };
 
 auto numberFrom(double least, double most) {
@@ -53,12 +58,17 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--deployment", options.deployment, "The deployment file (JSON); it is needed");
   app.add_option("--process", options.process,
                  "Which of its processes this is; may be left out if there is one only");
+  CLI::Option* const check =
+      app.add_flag("--check", options.check,
+                   "Run nothing, but tell every mistake of the whole file, or of --process");
   app.add_option("--seconds", options.seconds, "How long to run; 0: until told to stop")
-      ->check(numberFrom(0, 1e9));
+      ->check(numberFrom(0, 1e9))
+      ->excludes(check);
   CLI::Option* const reportTo =
       app.add_option("--report-fd", options.reportTo,
                      "Where to write reports: a file descriptor, or - for standard output")
-          ->check(whyNotWritable);
+          ->check(whyNotWritable)
+          ->excludes(check);
   app.add_option("--report-interval", options.reportInterval, "Seconds between two reports")
       ->capture_default_str()
       ->check(numberFrom(0.01, 1e6))
@@ -69,7 +79,8 @@ void declare(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"json", "text"}))
       ->needs(reportTo);
   app.add_flag("--messages", options.messages,
-               "Tell on standard error what components say: their status, warning and error");
+               "Tell on standard error what components say: their status, warning and error")
+      ->excludes(check);
 }
 
 /// Returns "; did you mean '--deployment'?" for the nearest option to one that there is not.
@@ -188,6 +199,11 @@ class Run {
     }
   }
 
+  void tellWhatRuns() const {
+    const std::vector<std::string> names = host_.componentNames();
+    tell("runs " + (names.empty() ? "no component" : listNames(names)));
+  }
+
   void tell(const Trouble& trouble, const std::string& what) {
     const std::string text = trouble.subject + " " + what;
     tell(text);
@@ -200,11 +216,6 @@ class Run {
     tell(problem);
     reportsLost_ = true;
   }
-  void tellWhatRuns() const {
-    const std::vector<std::string> names = host_.componentNames();
-    tell("runs " + (names.empty() ? "no component" : listNames(names)));
-  }
-
 
   void tell(const std::string& text) const {
     std::fprintf(stderr, "%s: %s\n", host_.manager().process().c_str(), text.c_str());
@@ -258,6 +269,29 @@ bool start(Host& host, const SignalWait& signals) {
   return !toEnd;
 }
 
+void tell(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+/// Tells what is wrong, and how to learn more of the first line of it.
+void tellErrors(const std::string& errors) {
+  std::fprintf(stderr, "%s\n`%s` tells more\n", errors.c_str(), whyCommand(errors).c_str());
+}
+
+int check(const Options& options, std::span<const ComponentClass> classes) {
+  const Checked found = checkDeployment(options.deployment, options.process, classes);
+  tell(found.warnings);
+  if (!found.problems.empty()) {
+    tellErrors(DocumentError(found.problems).what());
+    return kFailed;
+  }
+  const std::string said = options.deployment + ": no mistake in " + found.subject + "\n";
+  if (std::fputs(said.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return 0;
+  std::fprintf(stderr, "write to standard output: %s. Make room, or write elsewhere\n",
+               std::strerror(errno));
+  return kFailed;
+}
+
 int runWorkstation(const Options& options, std::span<const ComponentClass> classes) {
   allowAllDescriptors();
   const SignalWait signals;
@@ -265,7 +299,7 @@ int runWorkstation(const Options& options, std::span<const ComponentClass> class
   const Deployment deployment(JsonDocument::read(options.deployment));
   Host host(deployment, processOf(deployment, options), classes);
   if (options.messages) host.listenToMessages();
-  for (const std::string& line : host.news()) std::fprintf(stderr, "%s\n", line.c_str());
+  tell(host.news());
   told.reset();
   if (!start(host, signals)) return 0;
   return Run(host, signals, options).untilEnd();
@@ -279,9 +313,9 @@ int workstationMain(int argc, const char* const* argv, std::span<const Component
   declare(app, options);
   if (const std::optional<int> status = read(app, options, argc, argv)) return *status;
   try {
-    return runWorkstation(options, classes);
+    return options.check ? check(options, classes) : runWorkstation(options, classes);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n`suture why \"...\"` tells more of a line of this.\n", error.what());
+    tellErrors(error.what());
     return kFailed;
   }
 }

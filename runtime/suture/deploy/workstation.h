@@ -9,10 +9,11 @@
 namespace suture {
 
 /// Call it before any thread is started. Options: --deployment FILE, --process NAME, --seconds N,
-/// --report-interval S, --report-fd N or "-", --report-form json|text, --messages (--help explains
-/// them). Runs until the time is over or SIGINT or SIGTERM comes. Exit status 0: it ran, and lost
-/// no connection, no component and no report before its end, or was told to end while it started;
-/// 1: it did not, and standard error says why; 2: the command line makes no sense.
+/// --report-interval S, --report-fd N or "-", --report-form json|text, --messages, --check (--help
+/// explains them). Runs until the time is over or SIGINT or SIGTERM comes; with --check it judges
+/// the file (check.h) and runs nothing. Exit status 0: it ran, and lost no connection, no component
+/// and no report before its end, or was told to end while it started, or found no mistake; 1: it
+/// did not, and standard error says why; 2: the command line makes no sense.
 int workstationMain(int argc, const char* const* argv, std::span<const ComponentClass> classes);
 
 }  // namespace suture

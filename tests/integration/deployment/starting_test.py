@@ -2,9 +2,12 @@
 
 import os
 import pathlib
+import subprocess
 import unittest
 
 from stations import PROGRAM, Stations, component
+
+SUTURE = pathlib.Path(PROGRAM).parent / "suture"
 
 
 class Starting(Stations):
@@ -58,6 +61,45 @@ class Starting(Stations):
             problems = station.communicate(timeout=60)[1]
             self.assertTrue(problems.startswith(told), problems)
             self.assertEqual(station.returncode, 2)
+
+    def test_a_whole_file_is_checked_without_a_start(self):
+        """No global manager listens, so a process that started would wait for it."""
+        address = f"unix:{self.folder}/manager.sock"
+        station = self.workstation(self.two(address), "--check")
+        self.assertEqual(station.communicate(timeout=60),
+                         (f"{self.folder}/d.json: no mistake in 2 processes, 2 components and 1 connection\n", ""))
+        self.assertEqual(station.returncode, 0)
+
+    def test_a_check_tells_the_mistakes_of_all_processes(self):
+        deployment = self.two(f"unix:{self.folder}/manager.sock")
+        for process in deployment["processes"]:
+            process["components"].append(component("Wrong", f"Of_{process['name']}"))
+        station = self.workstation(deployment, "--check")
+        told, problems = station.communicate(timeout=60)
+        lines = problems.splitlines()
+        self.assertEqual((station.returncode, told, len(lines)), (1, "", 3), problems)
+        for line, name in zip(lines, ("here", "there")):
+            self.assertIn(f"d.json:1: error: no component class 'Of_{name}' in library", line)
+        alone = self.workstation(deployment, "--check", "--process", "here").communicate(timeout=60)[1]
+        self.assertEqual(alone.splitlines()[0], lines[0])
+        self.assertNotIn("Of_there", alone)
+
+    def test_a_check_whose_answer_is_lost_fails(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            file = self.folder / "d.json"
+            file.write_text('{"processes": [{"name": "one", "components": []}]}')
+            done = subprocess.run([PROGRAM, "--deployment", file, "--check"], stdout=full, stderr=subprocess.PIPE, text=True,
+                                  timeout=60, check=False)
+        self.assertEqual((done.returncode, done.stderr), (1, "write to standard output: No space left on device. Make room, or write elsewhere\n"))
+
+    def test_the_command_that_tells_more_can_be_copied(self):
+        station = self.workstation({"processes": [{"name": "one", "components": [{"name": "Hand", "class": "Hnad"}]}]})
+        lines = station.communicate(timeout=60)[1].splitlines()
+        self.assertRegex(lines[0], ": error: no component class 'Hnad' in ")
+        self.assertRegex(lines[1], "^`suture why \"no component class 'Hnad' in .*\"` tells more$")
+        command = lines[1].partition("`")[2].rpartition("`")[0].replace("suture", str(SUTURE), 1)
+        explained = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=60, check=True).stdout
+        self.assertIn("why it happens: The program or the library offers no class of that name", explained)
 
     def refused(self, *words, **settings):
         """Returns what a command line is refused with, before anything starts."""

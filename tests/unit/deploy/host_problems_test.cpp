@@ -68,16 +68,6 @@ TEST(HostProblems, UnknownParametersComeBeforeWhatAConstructorThrew) {
   EXPECT_TRUE(contains(problems[1], "cannot be created: no such device")) << problems[1];
 }
 
-/// Is a gripper that is not there.
-class Unplugged final : public PeriodicTask {
- public:
-  Unplugged() : PeriodicTask({.period = 1ms}) {}
-
- private:
-  void onConfigure() override { throw std::runtime_error("no answer on /dev/ttyUSB7"); }
-  void run() override {}
-};
-
 TEST(HostProblems, ComponentThatCannotBeConfigured) {
   const std::array classes{ComponentClass{"Unplugged", createWithoutParameters<Unplugged>}};
   const Deployment deployment = deploymentOf("{\"name\": \"U\", \"class\": \"Unplugged\"}");

@@ -48,6 +48,16 @@ class Refusing final : public PeriodicTask {
   void run() override {}
 };
 
+/// Is a gripper that is not there.
+class Unplugged final : public PeriodicTask {
+ public:
+  Unplugged() : PeriodicTask({.period = 1ms}) {}
+
+ private:
+  void onConfigure() override { throw std::runtime_error("no answer on /dev/ttyUSB7"); }
+  void run() override {}
+};
+
 template <class T>
 std::unique_ptr<Component> createWithoutParameters(const JsonReader& in) {
   in.finish();
