@@ -4,9 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -35,9 +37,12 @@ constexpr int kInterrupted = 130;  // what a shell says of a program that Ctrl-C
 class RunFolder {
  public:
   RunFolder() {
-    std::string name = fs::temp_directory_path() / "suture-demo-XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) {
-      throw std::system_error(errno, std::generic_category(), "a folder " + name);
+    std::error_code unknown;
+    std::string name = fs::temp_directory_path(unknown) / "suture-demo-XXXXXX";
+    if (unknown || mkdtemp(name.data()) == nullptr) {
+      throw suture::SetupError("make a folder for what this run records",
+                               unknown ? unknown.message() : name + ": " + std::strerror(errno),
+                               "Let TMPDIR name a folder where this user may write");
     }
     path_ = name;
   }

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sched.h>
+#include <suture/base/errors.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -12,17 +13,21 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <system_error>
 #include <utility>
 
 namespace demo {
 namespace {
 
+[[noreturn]] void refuse(const std::string& title, int error) {
+  throw suture::SetupError("start " + title, std::strerror(error),
+                           "Raise the limits of this user (ulimit -n for descriptors, ulimit -u "
+                           "for processes), or end something");
+}
+
 /// Is a line with two ends by which parent and child wait for each other.
 struct Line {
   explicit Line(const std::string& title) {
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0) return;
-    throw std::system_error(errno, std::generic_category(), "a line to " + title);
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse(title, errno);
   }
   ~Line() {
     for (const int end : ends) close(end);
@@ -48,7 +53,9 @@ constexpr int kParent = 0, kChild = 1;
 /// Enters a network namespace of its own, and returns when the parent has connected it.
 void enterOwnNetwork(Line& line, const std::string& title) {
   if (unshare(CLONE_NEWNET) != 0) {
-    std::fprintf(stderr, "%s gets no network namespace: %s\n", title.c_str(), std::strerror(errno));
+    std::fprintf(
+        stderr, "%s gets no network namespace: %s. Run this as root, or choose another --network\n",
+        title.c_str(), std::strerror(errno));
     _exit(127);
   }
   line.signal(kChild);
@@ -73,8 +80,9 @@ void enterOwnNetwork(Line& line, const std::string& title) {
   }
   arguments.push_back(nullptr);
   if (chdir(start.directory.c_str()) == 0) execv(arguments[0], arguments.data());
-  std::fprintf(stderr, "%s cannot be started: %s: %s\n", start.title.c_str(), arguments[0],
-               std::strerror(errno));
+  std::fprintf(stderr,
+               "%s cannot be started: %s: %s. Build that program; it has to be beside this one\n",
+               start.title.c_str(), arguments[0], std::strerror(errno));
   _exit(127);
 }
 
@@ -83,9 +91,7 @@ void enterOwnNetwork(Line& line, const std::string& title) {
 ChildProcess::ChildProcess(const Start& start) : title_(start.title) {
   Line line(title_);
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw std::system_error(errno, std::generic_category(), "a pipe for " + title_);
-  }
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(title_, errno);
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) {
@@ -96,7 +102,10 @@ ChildProcess::ChildProcess(const Start& start) : title_(start.title) {
   close(ends[1]);
   output_ = ends[0];
   fcntl(output_, F_SETFL, O_NONBLOCK);
-  if (pid_ < 0) throw std::system_error(error, std::generic_category(), "starting " + title_);
+  if (pid_ < 0) {
+    close(output_);
+    refuse(title_, error);
+  }
   if (!start.connect || !line.await(kParent)) return;  // the end of a child is noticed later
   try {
     start.connect(pid_);

@@ -24,7 +24,7 @@ class ChildProcess {
     std::function<void(pid_t)> connect;
   };
 
-  /// Throws std::system_error, and what Start::connect throws.
+  /// Throws suture::SetupError, and what Start::connect throws.
   explicit ChildProcess(const Start& start);
   /// Kills it if it still runs.
   ~ChildProcess();

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import shutil
 import socket
 import subprocess
 import sys
@@ -174,6 +175,33 @@ class Demo(unittest.TestCase):
         self.assertEqual(process.returncode, 1)
         self.assertRegex(process.stderr, "running over --network namespaces: (the command 'ip -V' fails|network namespaces "
                                          "need root). Run it as root")
+
+    def test_nowhere_to_record(self):
+        for folder, found in (("/nonexistent", "No such file or directory"), ("/proc", "/proc/suture-demo-")):
+            process = subprocess.run([PROGRAMS / "suture-demo", "--seconds", "1"], capture_output=True, text=True, timeout=60,
+                                     env={**os.environ, "TMPDIR": folder})
+            self.assertEqual(process.returncode, 1)
+            self.assertIn(f"make a folder for what this run records: {found}", process.stderr)
+            self.assertIn(". Let TMPDIR name a folder where this user may write", process.stderr)
+
+    def test_too_few_descriptors_for_a_process(self):
+        """One is left beside that for signals, so that files can be read but nothing can be started."""
+        process = subprocess.run(["sh", "-c", f"ulimit -n 5; exec {PROGRAMS}/suture-demo --topology single --seconds 1"],
+                                 capture_output=True, text=True, timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("start process 'console': Too many open files. Raise the limits of this user (ulimit -n for descriptors", process.stderr)
+
+    def test_a_program_that_is_missing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            programs = pathlib.Path(folder) / "bin"
+            programs.mkdir()
+            shutil.copy(PROGRAMS / "suture-demo", programs)
+            (pathlib.Path(folder) / "share").symlink_to(PROGRAMS.parent / "share")
+            process = subprocess.run([programs / "suture-demo", "--topology", "single", "--seconds", "1"],
+                                     capture_output=True, text=True, timeout=60)
+            self.assertEqual(process.returncode, 1)
+            self.assertIn(f"cannot be started: {programs}/suture-workstation: No such file or directory. "
+                          "Build that program; it has to be beside this one\n", process.stderr)
 
     def test_shared_memory_between_machines(self):
         process = subprocess.run([PROGRAMS / "suture-demo", "--lane", "shm", "--network", "tcp"],
