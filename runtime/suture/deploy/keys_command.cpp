@@ -1,6 +1,7 @@
 #include <suture/base/errors.h>
 #include <suture/deploy/document/deployment.h>
 #include <suture/deploy/keys_command.h>
+#include <suture/net/tls/certificate.h>
 #include <suture/net/tls/key_maker.h>
 #include <suture/net/tls/keys.h>
 
@@ -31,6 +32,14 @@ std::vector<std::filesystem::path> makeKeys(const KeysRequest& request) {
   const bool first = !std::filesystem::exists(tls::KeyFiles{request.out}.caCertificate(), unknown);
   if (first) names.push_back(tls::kManagerName);
   return tls::makeKeys(request.out, names);
+}
+
+std::string shortLife(const KeysRequest& request) {
+  const std::string end = tls::shortenedTo(request.out);
+  if (end.empty()) return "";
+  return "These certificates end at " + end +
+         ", which is sooner than usual, because their CA does. " + "Before that, " +
+         tls::kReplaceCa;
 }
 
 }  // namespace suture

@@ -22,6 +22,10 @@ struct KeysRequest {
 /// which outlives it.
 void addKeysOptions(CLI::App& keys, KeysRequest& request);
 
+/// Returns in a sentence until when the certificates are valid that makeKeys() has made, if their
+/// CA has shortened that; else "".
+std::string shortLife(const KeysRequest& request);
+
 /// Makes keys (suture/net/tls/key_maker.h) for the processes of the request and, if the CA is new,
 /// for the global manager. Returns the files that it has made. Throws DocumentError or SetupError.
 std::vector<std::filesystem::path> makeKeys(const KeysRequest& request);

@@ -2,6 +2,7 @@
 
 import pathlib
 import stat
+import subprocess
 import unittest
 
 from system import MANAGER, ROBOT, System
@@ -36,6 +37,19 @@ class SecureSystem(System):
         done = self.run_without_manager("keys", "--process", "late", "--out", self.keys)
         self.assertEqual(done.returncode, 1, done)
         self.assertIn("late", done.stderr)
+
+    def test_it_says_that_a_ca_shortens_the_life_of_a_certificate(self):
+        self.assertNotIn("warning", self.told_without_manager("keys", "--process", "robot", "--out", self.keys))
+        short = pathlib.Path(self.keys + "-short")
+        short.mkdir(mode=0o700)
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "ed25519", "-nodes", "-days", "100", "-subj", "/CN=Suture CA",
+                        "-keyout", short / "ca.key", "-out", short / "ca.crt"], check=True, capture_output=True)
+        (short / "ca.key").chmod(0o600)
+        done = self.run_without_manager("keys", "--process", "robot", "--out", str(short))
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        self.assertRegex(done.stdout.splitlines()[-1], r"^These certificates end at 20\d\d-\d\d-\d\d \d\d:\d\d UTC, which is sooner than usual, "
+                                                       r"because their CA does\. Before that, make the keys of all processes anew")
+        self.assertIn("sooner than usual", self.told_without_manager("keys", "--process", "late", "--out", str(short))["warning"])
 
     def test_it_shows_its_certificate_and_asks_for_theirs(self):
         self.start_system()

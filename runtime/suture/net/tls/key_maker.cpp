@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <set>
 
 namespace suture::tls {
@@ -222,6 +223,13 @@ std::vector<fs::path> makeKeys(const fs::path& folder, const std::vector<std::st
     made.write(files.certificate(name), files.key(name), makeIdentity(name, ca, validity));
   }
   return made.keep();
+}
+
+std::string shortenedTo(const fs::path& folder, const Validity& validity) {
+  const CertificatePtr ca = readCertificate(KeyFiles{folder}.caCertificate());
+  const auto end = std::chrono::system_clock::now() + validity.from + validity.lasts;
+  std::time_t limit = std::chrono::system_clock::to_time_t(end);
+  return X509_cmp_time(X509_get0_notAfter(ca.get()), &limit) < 0 ? endOf(ca.get()) : "";
 }
 
 }  // namespace suture::tls

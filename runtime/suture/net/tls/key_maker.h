@@ -27,4 +27,8 @@ std::vector<std::filesystem::path> makeKeys(const std::filesystem::path& folder,
                                             const Validity& validity = {},
                                             const Validity& ofCa = kCaValidity);
 
+/// Returns when the CA in `folder` ends, as endOf() does, if certificates that are made now end
+/// with it and so before they would by themselves; else "".
+std::string shortenedTo(const std::filesystem::path& folder, const Validity& validity = {});
+
 }  // namespace suture::tls
