@@ -4,6 +4,9 @@
 #include "cli/text/screen.h"
 #include "cli/verbs.h"
 
+#include <utility>
+#include <vector>
+
 namespace suture::cli {
 namespace {
 
@@ -36,16 +39,16 @@ int describe(rpc::EventPort& loop, const Options& options) {
   Peer peer = meet(loop, options, target.process);
   if (!target.interface.empty()) return describeInterface(peer, options, target);
   ProcessRecord process = peer.process();
-  process.components = target.component.empty()
-                           ? peer.components()
-                           : std::vector<ComponentRecord>{findComponent(peer, target)};
+  Description described = peer.describe();
+  process.components = target.component.empty() ? std::move(described.components)
+                                                : std::vector{findComponent(peer, target)};
   if (options.json) {
-    Json told = toJson(process);
+    Json told = toJson(process, described.connections);
     told["clock"] = toJson(peer.clock());
     printJson(told);
   } else {
     print(plain(process.name) + "\n" + clockText(peer.clock()) +
-          componentsText(process.components));
+          componentsText(process.components, described.connections));
   }
   return 0;
 }

@@ -1,31 +1,69 @@
+#include <suture/base/errors.h>
 #include "cli/peer/names.h"
+#include "cli/peer/peer.h"
 #include "cli/text/process_text.h"
 #include "cli/text/screen.h"
 #include "cli/verbs.h"
 
+#include <string>
+#include <vector>
+
 namespace suture::cli {
 namespace {
 
-std::string text(const ProcessRecord& process) {
+/// Is what a process itself says of its connections, of which the global manager knows nothing.
+struct Asked {
+  Connections connections;
+  std::string whyNot;  ///< why that is not known; "" if it is
+};
+
+Asked ask(rpc::EventPort& loop, const Options& options, const ProcessRecord& process) {
+  if (process.silent) return {std::nullopt, "it is silent"};
+  try {
+    Peer peer(loop, process, options);
+    peer.dial();
+    peer.greet();
+    Connections told = peer.describe().connections;
+    return {told, told ? "" : "its Suture is older than that question"};
+  } catch (const SetupError& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
+std::string text(const ProcessRecord& process, const Asked& asked) {
   std::string line = plain(process.name) + "   pid " + std::to_string(process.pid) + "   host " +
                      plain(process.host);
   for (const std::string& address : process.addresses) line += "   " + plain(address);
   if (process.silent) line += "   silent";
-  return line + "\n" + componentsText(process.components);
+  line += "\n" + componentsText(process.components, asked.connections);
+  return asked.whyNot.empty() || process.silent
+             ? line
+             : line + "  its connections are not known: " + plain(asked.whyNot) + "\n";
+}
+
+Json json(const ProcessRecord& process, const Asked& asked) {
+  Json told = toJson(process, asked.connections);
+  if (!asked.whyNot.empty()) told["connections_unknown"] = asked.whyNot;
+  return told;
 }
 
 }  // namespace
 
 int ps(rpc::EventPort& loop, const Options& options) {
   const auto processes = Names(loop, options).processes();
-  if (options.json) {
-    Json all = Json::array();
-    for (const ProcessRecord& process : processes) all.push_back(toJson(process));
-    printJson(all);
-    return 0;
+  Json all = Json::array();
+  for (const ProcessRecord& process : processes) {
+    const Asked asked = ask(loop, options, process);
+    if (options.json) {
+      all.push_back(json(process, asked));
+    } else {
+      print(text(process, asked));
+    }
   }
-  for (const ProcessRecord& process : processes) print(text(process));
-  if (processes.empty()) print("No process is known to " + options.manager + ".\n");
+  if (options.json) printJson(all);
+  if (!options.json && processes.empty()) {
+    print("No process is known to " + options.manager + ".\n");
+  }
   return 0;
 }
 

@@ -28,7 +28,8 @@ interface Peer {
 
   connect @1 ConnectRequest -> ConnectResults;
 
-  describe @2 () -> (components :List(Manager.ComponentRecord));
+  describe @2 () -> (components :List(Manager.ComponentRecord), connections :List(ConnectionState));
+  # connections: of the components' required interfaces that have been connected. Null: the responder was built before it told them.
 
   ping @3 (heard :Int64, components :List(Text)) -> (received :Int64, sent :Int64, tasks :List(TaskActivity));
   # Clock stamps as in hello, at any time; also the heartbeat of the session. heard: `sent` of the answer before, which
@@ -72,6 +73,17 @@ struct Explanation {
   nodes @2 :List(Schema.Node);
   # That interface and everything it is made of, complete. Named without the files they were written in.
   bases @3 :List(Text);  # descriptions of the contracts it derives from, the nearest first
+}
+
+struct ConnectionState {
+  # How a required interface of the responder is connected, for people.
+  component @0 :Text;
+  required @1 :Text;
+  provided @2 :Text;  # "psm-host:PSM/Arm"
+  lane @3 :Text;
+  status @4 :Text;    # "connected"
+  since @5 :Int64;    # of that status: the responder's steady clock, ns
+  awaitsOperator @6 :Bool;
 }
 
 struct TaskActivity {

@@ -55,9 +55,34 @@ void Peer::greet() {
   wait(loop_, patience_, kj::mv(answer), noAnswer());
 }
 
-std::vector<ComponentRecord> Peer::components() {
-  auto answer = peer_.describeRequest().send().then(
-      [](auto&& results) { return fromWire(results.getComponents()); });
+Description Peer::describe() {
+  auto answer = peer_.describeRequest().send().then([this](auto&& results) {
+    Description found{fromWire(results.getComponents()), std::nullopt};
+    if (!results.hasConnections()) return found;
+    found.connections.emplace();
+    for (const auto one : results.getConnections()) {
+      found.connections->push_back({.component = stringOf(one.getComponent()),
+                                    .required = stringOf(one.getRequired()),
+                                    .provided = stringOf(one.getProvided()),
+                                    .lane = stringOf(one.getLane()),
+                                    .status = stringOf(one.getStatus()),
+                                    .age = now() - here(one.getSince()),
+                                    .awaitsOperator = one.getAwaitsOperator()});
+    }
+    return found;
+  });
+  return wait(loop_, patience_, kj::mv(answer), noAnswer());
+}
+
+Cycle Peer::cycleOf(const std::string& component) {
+  auto request = peer_.pingRequest();
+  request.initComponents(1).set(0, textOf(component));
+  auto answer = request.send().then([](auto&& results) {
+    const auto tasks = results.getTasks();
+    if (tasks.size() == 0) return Cycle{};
+    return Cycle{tasks[0].getActivity() == wire::TaskActivity::Activity::RUNNING,
+                 tasks[0].getCycles()};
+  });
   return wait(loop_, patience_, kj::mv(answer), noAnswer());
 }
 

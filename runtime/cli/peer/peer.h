@@ -10,10 +10,36 @@
 #include "cli/contract/contract.h"
 #include "cli/peer/link.h"
 
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace suture::cli {
+
+/// Is how a required interface of a process is connected, or was.
+struct ConnectionRecord {
+  std::string component, required;
+  std::string provided;  ///< "psm-host:PSM/Arm"
+  std::string lane;
+  std::string status;  ///< "connected"
+  Duration age{0};     ///< of that status
+  bool awaitsOperator = false;
+};
+
+/// Is what a process says of itself.
+struct Description {
+  std::vector<ComponentRecord> components;
+  /// None: its Suture was built before it told them.
+  std::optional<std::vector<ConnectionRecord>> connections;
+};
+
+/// Is what the thread that serves a component does.
+struct Cycle {
+  bool running = false;      ///< it is in a cycle, and not asleep
+  std::uint64_t cycles = 0;  ///< so far
+};
 
 /// Has one link. Call these in their order; each throws SetupError: what was asked, found and to
 /// do.
@@ -34,7 +60,9 @@ class Peer {
   /// Makes sure that both speak the same version of the protocol.
   void greet();
 
-  std::vector<ComponentRecord> components();
+  Description describe();
+  std::vector<ComponentRecord> components() { return describe().components; }
+  Cycle cycleOf(const std::string& component);
   std::shared_ptr<const Contract> explain(const Target& target, wire::Peer::Side side);
   /// Returns the provided interface itself.
   capnp::DynamicCapability::Client open(const Target& target, const Contract& contract);

@@ -20,7 +20,16 @@ FieldPath RequiredBase::lastInvalid() const {
 
 void RequiredBase::attach(std::shared_ptr<Channel> channel) {
   expectConnection();
+  {
+    const std::lock_guard lock(attachedMutex_);
+    attached_ = channel;
+  }
   attachment.attach(std::move(channel));
+}
+
+std::shared_ptr<Channel> RequiredBase::attached() const {
+  const std::lock_guard lock(attachedMutex_);
+  return attached_.lock();
 }
 
 void RequiredBase::handleEvents() {

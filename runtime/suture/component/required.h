@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -93,6 +94,9 @@ class RequiredBase : protected RequiredParts {
   /// Errc::OutcomeUnknown.
   void attach(std::shared_ptr<Channel> channel);
 
+  /// Any thread but a task's. Returns what attach() was given last; nullptr if it is gone.
+  std::shared_ptr<Channel> attached() const;
+
   /// Owner's thread. Takes over the channel that attach() left.
   void adopt() { attachment.adopt(); }
   /// Owner's thread. Calls adopt(), and does what the connection's contract says of a loss.
@@ -136,6 +140,8 @@ class RequiredBase : protected RequiredParts {
   std::atomic<bool> expected_ = false;
   Duration maxAge_{0};
   DeclaredFrames frames_;
+  mutable std::mutex attachedMutex_;  // never taken by a task's thread
+  std::weak_ptr<Channel> attached_;
 };
 
 }  // namespace suture

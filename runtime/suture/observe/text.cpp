@@ -7,18 +7,6 @@
 namespace suture {
 namespace {
 
-const char* nameOf(ChannelStatus status) {
-  switch (status) {
-    case ChannelStatus::Connected: return "connected";
-    case ChannelStatus::Lost: return "lost";
-    case ChannelStatus::Faulted: return "faulted";
-    case ChannelStatus::Closed: return "closed";
-    case ChannelStatus::Suspended: return "suspended";
-    case ChannelStatus::Lapsed: return "lapsed";
-  }
-  return "unknown";
-}
-
 const char* nameOf(ConnectionEnd end) {
   switch (end) {
     case ConnectionEnd::Client: return "its client's end";
@@ -78,7 +66,7 @@ std::string keptContract(const ConnectionReport& one) {
 std::string lines(const ConnectionReport& one) {
   const bool client = one.end != ConnectionEnd::Provider;
   const bool provider = one.end != ConnectionEnd::Client;
-  std::string text = "  " + one.name + ": " + one.lane + ", " + nameOf(one.status) + ", " +
+  std::string text = "  " + one.name + ": " + one.lane + ", " + toString(one.status) + ", " +
                      nameOf(one.end) + "\n    ";
   text += counted("sent", one.sent) + (client ? ", " : " (by the lane), ");
   text += counted("executed", one.executed) + (provider ? ", " : " (as heard), ");

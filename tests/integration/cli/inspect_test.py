@@ -32,13 +32,43 @@ class Inspect(System):
         text = self.said("ps")
         self.assertIn(f"robot   pid {robot.pid}   host {os.uname().nodename}   unix:/", text)
         self.assertIn("  Hand\n    provides  Gripper    robots::Gripper    fingers in wrist\n    provides  component  suture::Lifecycle\n", text)
-        self.assertRegex(text, r"requires  Names +robots::Names\n")
+        self.assertRegex(text, r"requires  Names +robots::Names +not connected\n")
         (process,) = self.told("ps")
         self.assertEqual((process["name"], process["pid"]), ("robot", robot.pid))
         hand, surgeon = process["components"]
         self.assertEqual([one["name"] for one in hand["provided"]], ["Gripper", "component"])
         self.assertEqual([one["contract"] for one in surgeon["required"]],
                          ["robots::Arm", "robots::Gripper", "robots::Names", "robots::Arm"])
+
+    def test_what_is_connected_is_told(self):
+        self.start_robot()
+        line = r"requires +Gripper +robots::Gripper +-> robot:Hand/Gripper +local +connected for \d+\.\d s(, awaits its operator)?\n"
+        for words in (("ps",), ("describe", "robot"), ("describe", "robot:Surgeon")):
+            with self.subTest(words=words):
+                text = self.said(*words)
+                self.assertRegex(text, line)
+                self.assertRegex(text, r"requires +Names +robots::Names +not connected\n")
+        for told in (self.told("ps")[0], self.told("describe", "robot")):
+            required = {one["name"]: one["connection"] for one in told["components"][1]["required"]}
+            self.assertEqual({name: required[name] for name in ("Arm", "Names", "FarArm")}, {"Arm": None, "Names": None, "FarArm": None})
+            connection = required["Gripper"]
+            self.assertEqual((connection["provided"], connection["lane"], connection["status"]), ("robot:Hand/Gripper", "local", "connected"))
+            self.assertGreaterEqual(connection["seconds"], 0)
+
+    def test_a_suspended_provider_is_told(self):
+        self.start_robot()
+        self.said("call", "robot:Hand/component", "suspend")
+        for _ in range(1000):  # the hand suspends in its own cycle
+            if "suspended for" in (text := self.said("ps")):
+                break
+        self.assertRegex(text, r"-> robot:Hand/Gripper +local +suspended for ")
+
+    def test_connections_that_a_process_does_not_tell(self):
+        """It is of a build that knows nothing of them."""
+        self.start_stranger("older")
+        self.assertIn("  its connections are not known: its Suture is older than that question\n", self.said("ps"))
+        self.assertIn("older than that question", self.told("ps")[0]["connections_unknown"])
+        self.assertNotIn("connected", self.said("describe", "older"))
 
     def test_ps_tells_which_process_is_silent(self):
         robot = self.start_robot()
@@ -63,7 +93,7 @@ class Inspect(System):
         self.start_robot()
         self.assertIn("  Hand\n", self.said("describe", "robot"))
         self.assertIn("  Surgeon\n", self.said("describe", "robot"))
-        self.assertNotIn("Hand", self.said("describe", "robot:Surgeon"))
+        self.assertNotIn("  Hand\n", self.said("describe", "robot:Surgeon"))
         names = [one["name"] for one in self.told("describe", "robot")["components"]]
         self.assertEqual(names, ["Hand", "Surgeon"])
 
@@ -142,7 +172,7 @@ class Inspect(System):
     def test_frames_are_told_and_compared(self):
         self.start_robot()
         self.assertRegex(self.said("describe", "robot"), r"provides +Gripper +robots::Gripper +fingers in wrist\n")
-        self.assertRegex(self.said("describe", "robot"), r"requires +FarArm +robots::Arm +in camera\n")
+        self.assertRegex(self.said("describe", "robot"), r"requires +FarArm +robots::Arm +in camera +not connected\n")
         hand = self.told("describe", "robot:Hand")["components"][0]["provided"][0]
         self.assertEqual((hand["reference_frame"], hand["moving_frame"]), ("wrist", "fingers"))
         done = self.run_suture("why", "robot:Surgeon/FarArm", GRIPPER)

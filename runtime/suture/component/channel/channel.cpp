@@ -122,7 +122,8 @@ void Channel::tell(ChannelStatus news) {
   if (ends.watcher != nullptr) ends.watcher->ring();
 }
 
-void Channel::noteStatus(ChannelStatus news) const {
+void Channel::noteStatus(ChannelStatus news) {
+  statusSince.store(now(), std::memory_order_relaxed);
   VirtualTime* const time = virtualTime();
   if (time == nullptr) return;
   time->note(VirtualTime::Kind::Status, name().c_str(), lane.c_str(),

@@ -107,6 +107,7 @@ class Channel {
   const std::shared_ptr<ChannelCounts> counts;
   DirectHandlers direct;  ///< used where both ends share a process and no delay lies between
   std::atomic<ChannelStatus> status{ChannelStatus::Connected};
+  std::atomic<Time> statusSince{now()};
   /// Counts how often the status has become Faulted: a provider may be restarted before anyone
   /// looks.
   std::atomic<std::uint32_t> faults{0};
@@ -144,8 +145,8 @@ class Channel {
   /// Any thread. Sets the status of the provider, unless the connection is over, and rings the
   /// client if the status is new.
   void tell(ChannelStatus news);
-  /// Notes a status that was changed without tell(), for the trace of a stepped clock.
-  void noteStatus(ChannelStatus news) const;
+  /// Notes since when a status holds that was changed without tell().
+  void noteStatus(ChannelStatus news);
 
  private:
   void count(std::atomic<std::uint64_t>& counter, std::size_t bytes) const {

@@ -2,6 +2,18 @@
 
 namespace suture {
 
+const char* toString(ChannelStatus status) {
+  switch (status) {
+    case ChannelStatus::Connected: return "connected";
+    case ChannelStatus::Lost: return "lost";
+    case ChannelStatus::Faulted: return "faulted";
+    case ChannelStatus::Closed: return "closed";
+    case ChannelStatus::Suspended: return "suspended";
+    case ChannelStatus::Lapsed: return "lapsed";
+  }
+  return "unknown";
+}
+
 bool isOver(ChannelStatus status) {
   return status == ChannelStatus::Lost || status == ChannelStatus::Closed ||
          status == ChannelStatus::Lapsed;

@@ -17,6 +17,9 @@ enum class ChannelStatus : std::uint8_t {
   Lapsed,     ///< provider's end: its client was silent for as long as the provider waits
 };
 
+/// Returns its name for people: "connected".
+const char* toString(ChannelStatus status);
+
 /// Returns true if nothing comes through any more.
 bool isOver(ChannelStatus status);
 

@@ -5,6 +5,7 @@
 #include <suture/names/describe.h>
 #include <suture/rt/state/state_table.h>
 #include <suture/session/boot_id.h>
+#include <suture/session/provider/connection_states.h>
 #include <suture/session/provider/explain.h>
 #include <suture/session/provider/notices_sender.h>
 #include <suture/session/provider/peer_server.h>
@@ -120,6 +121,7 @@ kj::Promise<void> PeerServer::describe(DescribeContext context) {
     const auto components = describeComponents(host_.directory_);
     toWire(components,
            context.getResults().initComponents(static_cast<unsigned>(components.size())));
+    tellConnections(host_.directory_, context.getResults());
   });
 }
 
