@@ -3,6 +3,7 @@
 #include <suture/framing/remote_error.h>
 #include <suture/wire/json/annotations.h>
 #include "cli/contract/from_json.h"
+#include "cli/contract/limits.h"
 #include "cli/peer/lookup.h"
 #include "cli/peer/wait.h"
 
@@ -73,11 +74,12 @@ kj::Promise<Answer> Provider::start(const Member& command, const Json& arguments
       [this, labels](auto&& results) -> kj::Promise<Answer> {
         return Answer{payloadToJson(results, labels), ageIn(results), peer_.clock().error(now())};
       },
-      [title, target](kj::Exception&& failure) -> kj::Promise<Answer> {
-        return rpc::failure(
-            kj::Exception::Type::FAILED,
-            SetupError(title, rpc::reasonOf(failure), remedyFor(rpc::errcOf(failure), target))
-                .what());
+      [this, title, target, arguments, &command](kj::Exception&& failure) -> kj::Promise<Answer> {
+        const Errc error = rpc::errcOf(failure);
+        const std::string beyond = beyondLimit(*contract_, command, arguments, error);
+        const std::string found = rpc::reasonOf(failure) + (beyond.empty() ? "" : "; " + beyond);
+        return rpc::failure(kj::Exception::Type::FAILED,
+                            SetupError(title, found, remedyFor(error, target)).what());
       });
   return rpc::within(loop_.getTimer(), patience_, kj::mv(answer),
                      title + ": no answer in time; whether it ran is not known. `suture doctor " +

@@ -1,6 +1,6 @@
 #include "cli/text/contract_text.h"
+#include "cli/contract/type_text.h"
 #include "cli/text/screen.h"
-#include "cli/text/type_text.h"
 
 #include <algorithm>
 

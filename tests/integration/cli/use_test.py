@@ -109,7 +109,11 @@ class Use(System):
         error = self.refused("call", GRIPPER, "inverse_kinematics", "--args", json.dumps({"x": json.loads(GOAL)["goal"]}),
                              "tolerance=2")
         self.assertEqual(error, f"call inverse_kinematics of {GRIPPER}: value outside its declared limits: "
-                                f"inverse_kinematics.tolerance. `suture describe {GRIPPER}` tells what it takes and answers")
+                                f"inverse_kinematics.tolerance; 'tolerance' is 2, and declared as Float64, 0.0 to 1.0. `suture describe {GRIPPER}` tells what it takes and answers")
+
+    def test_what_is_too_large_is_named(self):
+        error = self.refused("call", "robot:Hand/component", "resume_connection", f"required={'x' * 64}")
+        self.assertIn("; 'required' has 64 bytes, and declared as text of at most 63 bytes. `suture describe", error)
 
     def test_a_handlers_exception_is_told(self):
         error = self.refused("call", GRIPPER, "grasp", "width=-1", "mode=Servo")

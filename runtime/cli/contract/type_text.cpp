@@ -1,4 +1,4 @@
-#include "cli/text/type_text.h"
+#include "cli/contract/type_text.h"
 
 namespace suture::cli {
 namespace {
