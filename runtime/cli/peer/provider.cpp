@@ -54,6 +54,7 @@ class Receiver final : public capnp::DynamicCapability::Server {
 Provider::Provider(rpc::EventPort& loop, const Options& options, const Target& target)
     : loop_(loop),
       patience_(options.patience),
+      component_(target.component),
       peer_(meet(loop, options, target.process)),
       contract_(peer_.explain(target, wire::Peer::Side::PROVIDED)),
       capability_(peer_.open(target, *contract_)) {}
@@ -101,6 +102,15 @@ kj::Promise<void> Provider::subscribe(std::uint64_t events, Labels labels, Heard
   return rpc::within(
       loop_.getTimer(), patience_, request.send().ignoreResult(),
       "subscribe to events of " + contract_->title() + ": no answer. Look at what it is doing.");
+}
+
+void Provider::awaitCycleEnd() {
+  const Time latest = now() + patience_;
+  const Cycle answered = peer_.cycleOf(component_);
+  for (Cycle seen = answered; seen.running && seen.cycles == answered.cycles && now() < latest;) {
+    wait(loop_, loop_.getTimer().afterDelay(1 * kj::MILLISECONDS));
+    seen = peer_.cycleOf(component_);
+  }
 }
 
 kj::Promise<void> Provider::whenGone() {

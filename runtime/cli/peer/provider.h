@@ -37,6 +37,12 @@ class Provider {
   /// Asks for events, bit i for the contract's event i. `heard` is called as they arrive; while it
   /// works, the provider keeps what follows. Resolves when the provider has agreed, or rejects.
   kj::Promise<void> subscribe(std::uint64_t events, Labels labels, Heard heard);
+  /// Returns when the cycle is over in which the component answered last, but not later than the
+  /// patience: so it has emitted what that cycle had to say.
+  void awaitCycleEnd();
+  /// Returns the time on our clock of a stamp of the provider's, and how wrong that may be.
+  Time here(std::int64_t stamp) const { return peer_.here(stamp); }
+  Duration clockError() const { return peer_.clock().error(now()); }
   /// Rejects when the provider's process is gone.
   kj::Promise<void> whenGone();
 
@@ -45,6 +51,7 @@ class Provider {
 
   rpc::EventPort& loop_;
   const Duration patience_;
+  const std::string component_;
   Peer peer_;
   std::shared_ptr<const Contract> contract_;
   capnp::DynamicCapability::Client capability_;

@@ -25,12 +25,12 @@ class System(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.address = f"unix:{folder.name}/manager.sock"
 
-    def start(self, *command, ending=signal.SIGTERM, **settings):
-        """Starts a process that says when it is ready; when the test ends, processes are ended, the latest first."""
+    def start(self, *command, ending=signal.SIGTERM, first="ready", **settings):
+        """Starts a process that says `first` when it is ready; when the test ends, processes are ended, the latest first."""
         process = subprocess.Popen(command, text=True, stdout=subprocess.PIPE, **settings)
         self.addCleanup(self.end, process, ending)
         self.heard = process.stdout.readline()
-        self.assertIn("ready", self.heard)
+        self.assertIn(first, self.heard)
         return process
 
     def start_and_hear(self, *command):
