@@ -1,11 +1,13 @@
 // suture looks at a running system, and speaks to any interface in it, without generated code for
 // what it looks at.
 
+#include <fcntl.h>
 #include <suture/base/nearest.h>
 #include <suture/component/factory/component_library.h>
 #include <suture/deploy/number_option.h>
 #include <suture/names/global_manager.h>
 #include <suture/net/tls/keys.h>
+#include <unistd.h>
 #include "cli/text/error_pages.h"
 #include "cli/text/screen.h"
 #include "cli/verbs.h"
@@ -175,6 +177,14 @@ int run(const Verb& verb, Options& options) {
   return verb.run(loop, options);
 }
 
+/// Says so if standard output is closed. The first socket would have its number, and what is
+/// printed would go to whom that leads to.
+bool outputIsClosed() {
+  if (fcntl(STDOUT_FILENO, F_GETFD) >= 0) return false;
+  tell(outputLost().what());
+  return true;
+}
+
 int help(const CLI::App& app, const CLI::ParseError& asked) {
   std::ostringstream text;
   const int status = app.exit(asked, text, text);
@@ -185,6 +195,7 @@ int help(const CLI::App& app, const CLI::ParseError& asked) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (outputIsClosed()) return kFailed;
   const std::string word = argc > 1 ? argv[1] : "";
   const bool json = std::any_of(argv, argv + argc,
                                 [](const char* one) { return std::string_view(one) == "--json"; });

@@ -151,12 +151,15 @@ std::string knownTo(Duration error) {
   return ", known to " + std::to_string(shown.count()) + " us";
 }
 
+SetupError outputLost() {
+  return {"write to standard output", std::strerror(errno), "Make room, or write elsewhere"};
+}
+
 void print(const std::string& text) {
   const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (whole && std::fflush(stdout) == 0) return;
-  const std::string asked = "write to standard output", found = std::strerror(errno);
-  if (errno == EPIPE) throw ReaderGone(asked + ": " + found);
-  throw SetupError(asked, found, "Make room, or write elsewhere");
+  if (errno == EPIPE) throw ReaderGone("nobody reads standard output");
+  throw outputLost();
 }
 
 void printJson(const Json& json) {

@@ -6,6 +6,7 @@
 #include <suture/base/time.h>
 #include "cli/values/json.h"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,13 @@ double inMilliseconds(Duration duration);
 std::string knownTo(Duration error);
 
 /// Says that who read standard output has gone, so that there is nothing more to do.
-class ReaderGone : public SetupError {
+class ReaderGone : public std::runtime_error {
  public:
-  using SetupError::SetupError;
+  using std::runtime_error::runtime_error;
 };
+
+/// Returns that standard output does not take what is written, for the reason in errno.
+SetupError outputLost();
 
 /// These write to standard output at once: a text for people; JSON for programs, laid out or on one
 /// line. Each throws ReaderGone, or SetupError if the text is lost otherwise.

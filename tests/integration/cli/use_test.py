@@ -193,6 +193,15 @@ class Use(System):
                 self.assertIn("suture: write to standard output: No space left on device. Make room, or write elsewhere\n",
                               done.stderr)
 
+    def test_output_that_is_closed_is_lost(self):
+        for words in ("ps", f"watch {GRIPPER} opening --count 1", "why NotYet", "--help"):
+            with self.subTest(words=words):
+                address = "" if words == "--help" else f"--manager {self.address}"
+                done = subprocess.run(["sh", "-c", f"{SUTURE} {words} {address} >&-"], stderr=subprocess.PIPE, text=True,
+                                      timeout=PATIENCE, check=False)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn("suture: write to standard output: Bad file descriptor. Make room", done.stderr)
+
     def test_watch_ends_while_an_answer_is_awaited(self):
         stranger = self.start_stranger("deaf")
         for name in ("mode", "stopped"):
