@@ -220,6 +220,7 @@ void Manager::giveUp() {
 }
 
 void Manager::stop() {
+  refuseToStopInCycle();
   // Once stopped, components may be gone before the manager is.
   if (std::exchange(started_, false)) stopComponents();
   // The executor rings the doorbells of the network and of delays, which ring each other's, and the
@@ -229,6 +230,17 @@ void Manager::stop() {
   delays_.reset();
   executor_.reset();
   network_.reset();
+}
+
+// A device's handler for a remote client runs in a cycle of the executor.
+void Manager::refuseToStopInCycle() {
+  if (started_) {
+    for (Component* component : directory_.components()) {
+      if (Task* const task = taskOf(*component); task != nullptr) task->refuseToStopInCycle();
+    }
+  }
+  const std::lock_guard lock(executorMutex_);
+  if (executor_ != nullptr) executor_->refuseToStopInCycle();
 }
 
 // Stops tasks before the devices that they use, and collectors last, because they record the

@@ -85,7 +85,9 @@ class Manager {
   /// for a process that must end while it starts.
   void giveUp();
   /// Ends all connections and components. Those that provide Collecting (suture/standard) end last,
-  /// so that they record what the others did to their end. The destructor does this too.
+  /// so that they record what the others did to their end. The destructor does this too. Throws
+  /// SetupError, and ends nothing, in the thread of a task of this process, which it would wait
+  /// for.
   void stop();
 
   /// Before or after start(): connects a required interface of this process ("Teleop/Slave") to a
@@ -153,6 +155,7 @@ class Manager {
                                        const std::string& connection, const ConnectionDelay& delay,
                                        std::shared_ptr<ConnectionWatch> watch);
 
+  void refuseToStopInCycle();
   void stopComponents();
 
   Directory directory_;

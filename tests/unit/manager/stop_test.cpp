@@ -10,6 +10,7 @@
 #include <suture/rt/doorbell.h>
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/patience.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -116,11 +118,13 @@ TEST_P(Stop, EndsAfterTheCommandThatRuns) {
 
 struct OccupiedDevice final : Device, StillArm {
   std::uint32_t reset() override {
+    handling();
     handler.stay();
     return ++resets;
   }
 
   LongHandler handler;
+  std::function<void()> handling = [] {};
   std::atomic<std::uint32_t> resets{0};
   Provided<reference::ArmLike> port{*this, "Arm", *this};
 };
@@ -158,6 +162,15 @@ TEST_P(StopOfADevice, LeavesTheOutcomeOfTheCallThatRunsOpen) {
   EXPECT_EQ(answer.error(), Errc::OutcomeUnknown);
 }
 
+TEST_P(StopOfADevice, IsNotAskedForInItsHandler) {
+  std::string refused;
+  arm_.handling = [&] { refused = refusal([&] { robot_.stop(); }); };
+  arm_.handler.end();
+  EXPECT_TRUE(client_.slave.reset.start().within(kPatience));
+  EXPECT_NE(refused.find("in its own thread"), std::string::npos) << refused;
+  EXPECT_TRUE(client_.slave.reset.start().within(kPatience)) << "a part of it has ended";
+}
+
 /// Both ends are in one process, so the answers are exact.
 TEST(StopLocal, TurnsAwayWhatWaits) {
   OccupiedArm arm;
@@ -176,6 +189,35 @@ TEST(StopLocal, TurnsAwayWhatWaits) {
   EXPECT_EQ(answered.within(kPatience).error(), Errc::Lost);
   EXPECT_EQ(channel->commands.counters.refused, 2u);
   EXPECT_FALSE(channel->commands.pending());
+}
+
+TEST(StopLocal, IsNotAskedForByATask) {
+  struct Asking final : EventTask, StillArm {
+    ~Asking() override { stop(); }
+    void run() override {}
+    std::uint32_t reset() override {
+      refused = refusal([this] { manager->stop(); });
+      return 0;
+    }
+    Manager* manager = nullptr;
+    std::string refused;
+    Provided<reference::ArmLike> port{*this, "Arm", *this};
+  } arm;
+  OccupiedArm first;
+  StopConsole client;
+  Manager manager("robot");
+  arm.manager = &manager;
+  manager.add("First", first);
+  manager.add("PSM", arm);
+  manager.add("Teleop", client);
+  manager.start();
+  manager.connect("Teleop/Slave", "PSM/Arm");
+  EXPECT_TRUE(client.slave.reset.start().within(kPatience));
+  EXPECT_NE(arm.refused.find("stopping 'PSM': it is asked for"), std::string::npos) << arm.refused;
+  EXPECT_EQ(first.state(), ComponentState::Running) << "a part of it has ended";
+  manager.stop();
+  EXPECT_EQ(first.state(), ComponentState::Stopped);
+  EXPECT_EQ(arm.state(), ComponentState::Stopped);
 }
 
 /// Is told of modes, and stays in the handler of the first.
