@@ -18,8 +18,8 @@
 namespace suture {
 namespace {
 
-// A change of a component's state rings; this is how often awaitStart() checks if a lost provider
-// is back.
+// A change of a component's state rings; this is how often those who wait look for what does not: a
+// lost provider that is back, or that a faulted task stays so.
 constexpr Duration kLookAgain = std::chrono::milliseconds(10);
 
 Task* taskOf(Component& component) {
@@ -203,7 +203,15 @@ void Manager::change(const std::string& name, Transition transition, Duration pa
   const ComponentState before = component.state();
   component.request(transition);
   const Time deadline = fromNow(patience);
-  while (component.state() == before && now() < deadline) changed_->waitUntil(deadline);
+  const auto undecided = [&component, before, task = taskOf(component)] {
+    const ComponentState state = component.state();
+    // A task that is restarted after a fault does what it was asked.
+    const bool mayGoOn = task != nullptr && !task->staysFaulted();
+    return state == before || (state == ComponentState::Faulted && mayGoOn);
+  };
+  while (undecided() && now() < deadline) {
+    changed_->waitUntil(std::min(deadline, now() + kLookAgain));
+  }
   const ComponentState reached = component.state();
   const ComponentState* const meant = after(before, transition);
   if (meant != nullptr && reached == *meant) return;

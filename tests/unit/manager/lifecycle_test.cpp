@@ -113,6 +113,27 @@ TEST(ManagerLifecycle, SaysWhyItCannotBe) {
             "Correct the cause");
 }
 
+TEST(ManagerLifecycle, ASuspendAwaitsTheRestartOfATaskThatFaults) {
+  struct Shaky final : PeriodicTask {
+    Shaky() : PeriodicTask({.period = 1ms}) { restartAfterFaults({.most = 1, .per = 24h}); }
+    ~Shaky() override { stop(); }
+    void run() override {
+      if (!asked.exchange(false)) return;
+      pass(5ms);  // until the manager waits
+      throw std::runtime_error("the encoder says nonsense");
+    }
+    void onFault() override { pass(50ms); }  // while the manager finds it faulted
+    std::atomic<bool> asked{false};
+  } shaky;
+  Manager manager("here");
+  manager.add("Shaky", shaky);
+  manager.start();
+  shaky.asked = true;
+  EXPECT_EQ(refusal([&] { manager.suspend("Shaky"); }), "");
+  EXPECT_EQ(shaky.state(), State::Suspended);
+  EXPECT_EQ(shaky.faults(), 1u);
+}
+
 TEST(AwaitStart, NamesEveryComponentAndInterfaceThatIsMissing) {
   Worker worker;
   Idle idle;
