@@ -115,7 +115,10 @@ void StateCollector::begin() {
 }
 
 void StateCollector::takeRows() {
-  for (std::uint64_t newest = table_->rows(); next_ <= newest;) {
+// Takes the rows that are there now. Those that come meanwhile have to wait for the next look,
+// since with a sink that is slower than the provider this would never end.
+  const std::uint64_t newest = table_->rows();
+  while (next_ <= newest) {
     const rt::StateTable::Row row = table_->readRowNumber(next_, slots_);
     if (row.sequence != 0) {
       passToSink(next_, row.stamp, row.valid);
@@ -123,9 +126,8 @@ void StateCollector::takeRows() {
       continue;
     }
     // The row is overwritten, and so are all rows that are more than one lap behind the writer.
-    newest = table_->rows();
-    const std::uint64_t capacity = table_->capacity();
-    const std::uint64_t oldest = newest >= capacity ? newest - capacity + 1 : 1;
+    const std::uint64_t present = table_->rows(), capacity = table_->capacity();
+    const std::uint64_t oldest = present >= capacity ? present - capacity + 1 : 1;
     const std::uint64_t resume = std::max(next_ + 1, oldest);
     countMissed(resume - next_);
     next_ = resume;

@@ -165,6 +165,15 @@ TEST(StateCollector, RefusesAReadThatIsNotThere) {
 }
 
 struct FullDisk final : Sink {
+TEST(StateCollector, ACycleEndsThoughTheSinkIsSlowerThanTheProvider) {
+  CountingSink sink(4ms);
+  CollectedStates run({}, sink);
+  EXPECT_TRUE(eventually([&] { return run.collector.counts().missed > 100; }));
+  const std::uint64_t cycles = run.collector.statistics().cycles;
+  EXPECT_TRUE(eventually([&] { return run.collector.statistics().cycles > cycles + 2; }));
+  run.finish();
+}
+
   void row(const CollectedInterface&, std::uint64_t, Time,
            std::span<const CollectedValue>) override {
     throw std::runtime_error("no space left");
