@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstddef>
 #include <system_error>
 #include <tuple>
@@ -31,6 +32,47 @@ SetupError cannotBeWritten(const std::filesystem::path& file) {
                     "Name a file in an existing folder that you may write to");
 }
 
+/// Waits for no reader of a pipe, which may never come, while the process starts.
+int openWithoutWaiting(const std::filesystem::path& file) {
+  const int descriptor =
+      open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, kRights);
+  if (descriptor >= 0) {
+    std::ignore = fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+    return descriptor;
+  }
+  std::error_code ignored;
+  if (errno != ENXIO || !std::filesystem::is_fifo(file, ignored)) throw cannotBeWritten(file);
+  throw SetupError("recording to " + file.string(), "it is a pipe that nobody reads",
+                   "Start its reader first, or name a file");
+}
+
+/// While one exists, no SIGPIPE comes to this thread. It would end the process as soon as the
+/// reader of a pipe is gone, which write() tells anyhow.
+class NoPipeSignal {
+ public:
+  NoPipeSignal() : pending_(isPending()) {
+    sigemptyset(&signal_);
+    sigaddset(&signal_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &signal_, &before_);
+  }
+  ~NoPipeSignal() {
+    int signal = 0;
+    if (!pending_ && isPending()) sigwait(&signal_, &signal);  // returns at once
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  NoPipeSignal(const NoPipeSignal&) = delete;
+  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
+
+ private:
+  static bool isPending() {
+    sigset_t pending;
+    return sigpending(&pending) == 0 && sigismember(&pending, SIGPIPE) == 1;
+  }
+
+  sigset_t signal_{}, before_{};
+  const bool pending_;  // before, so it is not of this write()
+};
+
 }  // namespace
 
 LineFile::LineFile(std::filesystem::path file) : file_(std::move(file)) {
@@ -44,8 +86,7 @@ LineFile::~LineFile() {
 // A file system that knows no locks is used without one.
 void LineFile::take() {
   if (descriptor_ >= 0) return;
-  descriptor_ = open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kRights);
-  if (descriptor_ < 0) throw cannotBeWritten(file_);
+  descriptor_ = openWithoutWaiting(file_);
   struct stat status {};
   regular_ = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   if (!regular_ || flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
@@ -66,6 +107,7 @@ bool LineFile::append(std::string_view lines) {
 }
 
 bool LineFile::writeAll(std::string_view lines) const {
+  const NoPipeSignal guard;
   while (!lines.empty()) {
     const ssize_t taken = write(descriptor_, lines.data(), lines.size());
     if (taken < 0 && errno == EINTR) continue;

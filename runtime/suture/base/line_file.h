@@ -18,7 +18,7 @@ class LineFile {
 
   const std::filesystem::path& path() const { return file_; }
   /// Before append(): opens the file, which no other LineFile may have then. Does nothing when it
-  /// is called again. Throws SetupError.
+  /// is called again. Throws SetupError, also for a pipe that nobody reads.
   void take();
   /// Returns false if the file system did not take all of it; then the file has none of it, and
   /// ends with a whole line.

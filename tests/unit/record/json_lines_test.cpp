@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 #include <suture/manager/manager.h>
@@ -7,6 +8,8 @@
 #include <suture/rt/state/state_table.h>
 #include <suture/standard/lifecycle.suture.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -18,6 +21,7 @@
 #include "reference/arm_like.suture.h"
 #include "reference/simulated_arm.h"
 #include "support/eventually.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -272,6 +276,43 @@ TEST(JsonLines, AnEventCollectorIsRestartedAndLosesNothingUncounted) {
 TEST(JsonLines, RefusesAFileThatCannotBeWritten) {
   const TemporaryDirectory directory;
   EXPECT_THROW(JsonLines(directory.file("missing/run.jsonl")), SetupError);
+}
+
+/// Is a named pipe.
+std::string pipeIn(const TemporaryDirectory& directory) {
+  std::string pipe = directory.file("pipe");
+  EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  return pipe;
+}
+
+TEST(JsonLines, RefusesAPipeThatNobodyReads) {
+  const TemporaryDirectory directory;
+  const std::string pipe = pipeIn(directory);
+  JsonLines sink(pipe);
+  EXPECT_EQ(refusal([&] { sink.begin(); }),
+            "recording to " + pipe +
+                ": it is a pipe that nobody reads. Start its reader first, or name a file");
+}
+
+TEST(JsonLines, APipeWhoseReaderIsGoneTakesNothingAndRaisesNoSignal) {
+  const TemporaryDirectory directory;
+  const std::string pipe = pipeIn(directory);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(reader, 0);
+  JsonLines sink(pipe);
+  sink.begin();
+  const CollectedInterface from{"Collector", interfaceInfo<robots::Arm>()};
+  sink.missed(from, 3);
+  EXPECT_TRUE(sink.flush());
+  char line[64] = {};
+  EXPECT_GT(read(reader, line, sizeof(line)), 0);
+  EXPECT_EQ(json::parse(line), json({{"from", "Collector"}, {"missed", 3}}));
+  close(reader);
+  sink.missed(from, 4);
+  EXPECT_FALSE(sink.flush());
+  sigset_t pending;
+  sigpending(&pending);
+  EXPECT_EQ(sigismember(&pending, SIGPIPE), 0);
 }
 
 }  // namespace
