@@ -19,12 +19,16 @@ Duration positive(Duration period) {
 }  // namespace
 
 /// Is what the collector looks at, of any contract.
+  /// Returns true if `table` belongs to the connection of this cycle, though it may be lost.
+  bool has(const std::shared_ptr<rt::StateTable>& table) const {
+    return channel() != nullptr && channel()->state == table;
+  }
 class StateCollector::Source final : public RequiredBase {
  public:
   Source(Component& owner, const InterfaceInfo& contract)
       : RequiredBase(owner, "Source", contract) {}
 
-  /// Returns the provider's state; nullptr without a connection.
+  /// Returns the provider's state; nullptr while nothing reaches it.
   std::shared_ptr<rt::StateTable> state() {
     return unusable() == Errc{} ? channel()->state : nullptr;
   }
@@ -37,11 +41,12 @@ class StateCollector::Source final : public RequiredBase {
     }
     if (channel()->state->askAll(columns)) owner().ringLater(*channel()->ends.provider);
   }
-  /// Returns false for a copy that the contract does not admit, because another process may have
-  /// written it.
-  bool admits(std::uint16_t read, const std::byte* copy) const {
+  /// Returns false for a copy out of `table` that the contract does not admit, because another
+  /// process may have written it.
+  bool admits(std::uint16_t read, const std::byte* copy,
+              const std::shared_ptr<rt::StateTable>& table) const {
     const CommandInfo& command = info().commands[read];
-    return channel() == nullptr ? command.admitsResult(copy) : channel()->admitsCopy(command, copy);
+    return has(table) ? channel()->admitsCopy(command, copy) : command.admitsResult(copy);
   }
 };
 
@@ -78,6 +83,10 @@ void StateCollector::startCollecting() {
   doorbell().ring();
 }
 
+  if (table_ != nullptr && !source_->has(table_)) {  // of a connection that is gone
+    takeRows();
+    table_ = nullptr;
+  }
 void StateCollector::stopCollecting() {
   collection_.switchTo(false);
   doorbell().ring();
@@ -142,7 +151,8 @@ void StateCollector::passToSink(std::uint64_t number, Time stamp, std::uint64_t 
   for (CollectedValue& value : values_) {
     const auto column = static_cast<std::size_t>(from_.contract.commands[value.read].column);
     const bool produced = (valid >> column & 1) != 0;
-    value.slot = produced && source_->admits(value.read, slots_[column]) ? slots_[column] : nullptr;
+    const bool admitted = produced && source_->admits(value.read, slots_[column], table_);
+    value.slot = admitted ? slots_[column] : nullptr;
   }
   sink_.row(from_, number, stamp, values_);
 }

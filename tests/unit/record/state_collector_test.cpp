@@ -174,6 +174,26 @@ TEST(StateCollector, ACycleEndsThoughTheSinkIsSlowerThanTheProvider) {
   run.finish();
 }
 
+TEST(StateCollector, KeepsNoRowsThatCameAfterItWasDisconnected) {
+  CountingSink sink;
+  CollectedStates run({}, sink);
+  EXPECT_TRUE(eventually([&] { return run.collector.counts().collected >= 20; }));
+  run.manager.disconnect("Collector/Source");
+  pass(30ms);
+  const std::uint64_t collected = run.collector.counts().produced(), rows = run.produced();
+  EXPECT_GE(collected, 20u);
+  EXPECT_TRUE(eventually([&] { return run.produced() > rows + 50; }));
+  EXPECT_EQ(run.collector.counts().produced(), collected);
+
+  run.manager.connect("Collector/Source", "PSM/Arm");
+  EXPECT_TRUE(eventually([&] { return run.collector.counts().produced() > collected + 20; }));
+  run.manager.stop();
+  EXPECT_EQ(sink.lost, 0u);
+  ASSERT_GT(sink.numbers.size(), collected);
+  EXPECT_GT(sink.numbers[collected], rows + 50);
+  expectAscending(sink.numbers);
+}
+
   void row(const CollectedInterface&, std::uint64_t, Time,
            std::span<const CollectedValue>) override {
     throw std::runtime_error("no space left");
