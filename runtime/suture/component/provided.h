@@ -37,6 +37,7 @@ namespace suture {
 struct StateOptions {
   /// says how many rows of the past can be read at least; a power of two
   unsigned rows = 64;
+  static constexpr unsigned kMostRows = 1u << 20;
   /// lets only advance() publish rows, not the end of each cycle; not for a device
   bool manual = false;
 };

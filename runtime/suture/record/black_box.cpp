@@ -53,6 +53,14 @@ class Rows {
 
 void keepAll(const Component& component, unsigned rows) {
   for (ProvidedBase* provided : component.provided()) {
+BlackBoxOptions checked(BlackBoxOptions options) {
+  if (options.rows > StateOptions::kMostRows) {
+    throw SetupError("a black box", std::to_string(options.rows) + " rows",
+                     "Keep at most " + std::to_string(StateOptions::kMostRows));
+  }
+  return options;
+}
+
     rt::StateTable& state = *provided->state();
     if (rows > state.capacity()) state.resize(rows);
     for (unsigned column = 0; column < state.columns(); ++column) state.ask(column);
@@ -62,7 +70,7 @@ void keepAll(const Component& component, unsigned rows) {
 }  // namespace
 
 BlackBox::BlackBox(const std::vector<Component*>& components, BlackBoxOptions options)
-    : options_(std::move(options)) {
+    : options_(checked(std::move(options))) {
   for (Component* component : components) {
     keepAll(*component, options_.rows);
     watched_.push_back({component, component->faults()});

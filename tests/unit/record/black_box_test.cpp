@@ -21,6 +21,7 @@
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
 
+#include "support/refusal.h"
 namespace suture {
 namespace {
 
@@ -159,3 +160,10 @@ TEST_F(Boxed, AFullDiskIsTold) {
 
 }  // namespace
 }  // namespace suture
+TEST(BlackBox, RefusesMoreRowsThanAreOfUse) {
+  Arm arm;
+  EXPECT_EQ(refusal([&] { BlackBox({&arm}, {.folder = "/tmp", .rows = 3'000'000'000}); }),
+            "a black box: 3000000000 rows. Keep at most 1048576");
+  EXPECT_EQ(arm.port.state()->capacity(), 256u);
+}
+

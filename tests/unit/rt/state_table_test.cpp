@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <suture/rt/state/state_table.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -117,6 +118,35 @@ TEST(StateTable, KeepsAsManyRowsAsItIsAskedTo) {
   EXPECT_EQ(valueAt(table, 1).value(), 1u);
   publish(table, 129);
   EXPECT_EQ(valueAt(table, 1).error(), Errc::TooOld);
+}
+
+/// Lets this process open no more descriptors.
+class NoMoreDescriptors {
+ public:
+  NoMoreDescriptors() {
+    getrlimit(RLIMIT_NOFILE, &before_);
+    const rlimit none{0, before_.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &none);
+  }
+  ~NoMoreDescriptors() { setrlimit(RLIMIT_NOFILE, &before_); }
+  NoMoreDescriptors(const NoMoreDescriptors&) = delete;
+  NoMoreDescriptors& operator=(const NoMoreDescriptors&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST(StateTable, IsAsItWasIfThereIsNoMemoryForMoreRows) {
+  StateTable table(kSizes, 4);
+  publish(table, 1);
+  {
+    const NoMoreDescriptors limit;
+    EXPECT_THROW(table.resize(128), SetupError);
+  }
+  ASSERT_EQ(table.capacity(), 4u);
+  EXPECT_EQ(valueAt(table, 1).value(), 1u);
+  for (std::uint32_t stamp = 2; stamp <= 6; ++stamp) publish(table, stamp);
+  EXPECT_EQ(valueAt(table, 6).value(), 6u);
 }
 
 TEST(StateTable, PublishesValuesThatLieElsewhere) {

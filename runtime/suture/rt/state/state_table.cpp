@@ -130,9 +130,10 @@ void StateTable::layOut(std::byte* memory) {
   rows_ = memory + kHeaderBytes;
 }
 
+// Changes nothing until it has the memory, because who has asked for too much may go on.
 void StateTable::resize(unsigned rows) {
-  rowMask_ = std::bit_ceil(rows) - 1;
-  const std::size_t bytes = kHeaderBytes + rowBytes_ * (rowMask_ + 1);
+  const std::size_t kept = std::bit_ceil(std::size_t{rows});
+  const std::size_t bytes = kHeaderBytes + rowBytes_ * kept;
   if (readers_ == Readers::Here) {  // whole pages would be more than the rows, mostly
     here_ = std::make_unique<Line[]>(bytes / sizeof(Line));
     layOut(here_[0].bytes);
@@ -140,6 +141,7 @@ void StateTable::resize(unsigned rows) {
     memory_ = std::make_shared<MemoryBlock>("suture-state", bytes, MemoryBlock::Others::Read);
     layOut(memory_->data());
   }
+  rowMask_ = kept - 1;
   new (newest_) Word{0};
   for (std::size_t i = 0; i <= rowMask_; ++i) new (rows_ + i * rowBytes_) RowHeader{};
 }
