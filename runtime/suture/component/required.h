@@ -65,6 +65,9 @@ class RequiredBase : protected RequiredParts {
   void limitAge(Duration maxAge) { maxAge_ = maxAge; }
   Duration maxAge() const { return maxAge_; }
 
+  /// Returns true if it has said needRows().
+  bool needsRows() const { return needsRows_; }
+
   /// Before it is connected, in the component's constructor for example: declares the frames in
   /// which it takes poses and vectors. A provider that declares others is refused. Throws
   /// SetupError if others have been declared.
@@ -128,6 +131,10 @@ class RequiredBase : protected RequiredParts {
   /// Subscribes like Subscription: `handler` gets the payload's slot of each event `event`, and
   /// when it was emitted (on the `rpc` lane when it arrived, unless it is a replay).
   Result<void> handle(std::uint16_t event, std::function<void(const std::byte*, Time)> handler);
+  /// In a constructor: says that it needs the rows of its provider's state table one by one, so it
+  /// cannot be connected to a device of its own process, whose reads are evaluated by each call.
+  void needRows() { needsRows_ = true; }
+
   /// Owner's thread. Returns the connection as it is in this cycle; nullptr if there is none.
   const std::shared_ptr<Channel>& channel() const { return attachment.channel(); }
 
@@ -137,6 +144,7 @@ class RequiredBase : protected RequiredParts {
 
  private:
   bool optional_ = false;
+  bool needsRows_ = false;
   std::atomic<bool> expected_ = false;
   Duration maxAge_{0};
   DeclaredFrames frames_;

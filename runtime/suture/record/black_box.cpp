@@ -4,6 +4,7 @@
 #include <suture/rt/state/state_table.h>
 
 #include <exception>
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -70,6 +71,14 @@ BlackBoxOptions checked(BlackBoxOptions options) {
 }  // namespace
 
 BlackBox::BlackBox(const std::vector<Component*>& components, BlackBoxOptions options)
+// A device has rows only while its executor serves clients of other processes.
+bool keepsRows(const Component& component) {
+  const auto& all = component.provided();
+  return component.ownsThread() || std::any_of(all.begin(), all.end(), [](ProvidedBase* one) {
+           return one->state()->rows() > 0;
+         });
+}
+
     : options_(checked(std::move(options))) {
   for (Component* component : components) {
     keepAll(*component, options_.rows);
@@ -105,7 +114,11 @@ void BlackBox::look(Watched& watched) {
   const std::string what = "component '" + component.name() + "' faulted" + several + ": " + reason;
   try {
     write(component, first, last, reason, file);
-    options_.tell(what + ". Its last state is in " + file.string());
+    options_.tell(what +
+                  (keepsRows(component) ? ". Its last state is in "
+                                        : ". It is a device, of which no rows are kept; the fault "
+                                          "alone is in ") +
+                  file.string());
   } catch (const std::exception& error) {
     // The part that was written would only take the room that the next file needs.
     std::error_code ignored;

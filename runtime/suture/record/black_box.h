@@ -29,8 +29,9 @@ struct BlackBoxOptions {
 /// state tables to "<folder>/<prefix><component>.<n>.jsonl" (JsonLines), where n is the number of
 /// its fault. Faults that came since the last look share one file, which has the number of the last
 /// of them; its first line says which they are. If the disk is full or the folder is missing,
-/// reports that, leaves no part of a file there, and goes on. It replaces a file of the same name,
-/// so another run of the process needs another prefix.
+/// reports that, leaves no part of a file there, and goes on. Of a device it has rows only if
+/// remote clients read it; otherwise it writes the fault alone, and says so. It replaces a file of
+/// the same name, so another run of the process needs another prefix.
 class BlackBox {
  public:
   /// Before the components are started and connected. Asks for all reads that they provide, so that

@@ -26,7 +26,9 @@ Duration positive(Duration period) {
 class StateCollector::Source final : public RequiredBase {
  public:
   Source(Component& owner, const InterfaceInfo& contract)
-      : RequiredBase(owner, "Source", contract) {}
+      : RequiredBase(owner, "Source", contract) {
+    needRows();
+  }
 
   /// Returns the provider's state; nullptr while nothing reaches it.
   std::shared_ptr<rt::StateTable> state() {

@@ -31,8 +31,8 @@ struct StateCollectorOptions {
 
 /// Is a task whose required interface "Source" connects to a provider of `contract`. In its own
 /// thread it passes each row to the sink, or counts it as missed if it was overwritten before. Over
-/// lanes other than `local` the rows are those that arrived. An exception of the sink parks the
-/// collector.
+/// lanes other than `local` the rows are those that arrived. A device has none on the lane `local`,
+/// so connecting to it there is refused. An exception of the sink parks the collector.
 ///   StateCollector collector{interfaceInfo<Arm>(), {.reads = {"measured_cp"}}, sink};
 ///   manager.add("Collector", collector);
 ///   manager.connect("Collector/Source", "PSM/Arm");

@@ -117,6 +117,11 @@ std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& pr
                                         const std::string& connection,
                                         std::shared_ptr<ConnectionWatch> watch) {
   Component& provider = provided.owner();
+  if (required.needsRows() && !provider.ownsThread()) {
+    throw SetupError("connecting " + connection,
+                     "a device keeps no rows for clients of its own process",
+                     "Require another lane, such as rpc, or make the device a task");
+  }
   auto channel = offerLocally(required, provided, {.name = connection, .watch = std::move(watch)},
                               {.client = required.owner().sharedDoorbell(),
                                .provider = provider.sharedDoorbell(),

@@ -45,7 +45,7 @@ std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase
 
 /// Makes a connection by the `local` lane: one channel that both ends share. It takes effect at
 /// each end's next cycle. `watch` has what the connection is to keep to, if anything. Throws
-/// SetupError if the contracts or the frames differ.
+/// SetupError if the contracts or the frames differ, or if a device is to have rows.
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
                                         const std::string& connection,
                                         std::shared_ptr<ConnectionWatch> watch = nullptr);

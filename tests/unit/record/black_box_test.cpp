@@ -1,8 +1,10 @@
 // A black box leaves a component's last seconds when it has been faulted.
 
 #include <gtest/gtest.h>
+#include <suture/component/device.h>
 #include <suture/component/provided.h>
 #include <suture/component/task/periodic_task.h>
+#include <suture/manager/handle.h>
 #include <suture/manager/manager.h>
 #include <suture/record/black_box.h>
 #include <suture/rt/state/state_table.h>
@@ -167,3 +169,38 @@ TEST(BlackBox, RefusesMoreRowsThanAreOfUse) {
   EXPECT_EQ(arm.port.state()->capacity(), 256u);
 }
 
+/// Is parked by a command, whose caller's thread executes it.
+struct BrokenDevice final : Device, Lifecycle {
+  bool suspend() override { throw std::runtime_error("the drive did not answer"); }
+  bool resume() override { return false; }
+  ResumeOutcome resume_connection(const std::string&) override {
+    return ResumeOutcome::NoSuchInterface;
+  }
+  ComponentState component_state() const override { return state(); }
+
+  Provided<Lifecycle> port{*this, "Drive", *this};
+};
+
+TEST(BlackBox, SaysThatADeviceKeepsNoRows) {
+  const TemporaryDirectory directory;
+  BrokenDevice device;
+  Manager manager("here");
+  manager.add("Drives", device);
+  std::string told;
+  {
+    BlackBox box({&device}, {.folder = directory.file(""),
+                             .tell = [&](const std::string& text) { told = text; }});
+    manager.start();
+    Handle<Lifecycle> handle(manager, "Main/Drive", "Drives/Drive");
+    EXPECT_FALSE(handle.suspend.start().within(1s));
+    EXPECT_EQ(device.state(), ComponentState::Faulted);
+  }
+  manager.stop();
+  EXPECT_EQ(told,
+            "component 'Drives' faulted: the drive did not answer. It is a device, of which "
+            "no rows are kept; the fault alone is in " +
+                directory.file("Drives.1.jsonl"));
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 #include <suture/component/channel/channel.h>
+#include <suture/component/device.h>
 #include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
@@ -164,7 +165,6 @@ TEST(StateCollector, RefusesAReadThatIsNotThere) {
       "a collector: a period of 0 ns. Give a period greater than zero");
 }
 
-struct FullDisk final : Sink {
 TEST(StateCollector, ACycleEndsThoughTheSinkIsSlowerThanTheProvider) {
   CountingSink sink(4ms);
   CollectedStates run({}, sink);
@@ -194,6 +194,30 @@ TEST(StateCollector, KeepsNoRowsThatCameAfterItWasDisconnected) {
   expectAscending(sink.numbers);
 }
 
+struct ArmDevice final : Device {
+  reference::SimulatedArm arm{{}};
+  Provided<ArmLike> port{*this, "Arm", arm};
+};
+
+TEST(StateCollector, ADeviceOfItsProcessIsRefusedAndCollectedOverALane) {
+  rpc::ControlThread control;
+  GlobalManager names(control, "tcp://127.0.0.1:0");
+  ArmDevice device;
+  CountingSink sink;
+  StateCollector collector(interfaceInfo<ArmLike>(), {.reads = {"measured_cp"}}, sink);
+  Manager manager("here", names.address());
+  manager.add("PSM", device);
+  manager.add("Collector", collector);
+  manager.start();
+  EXPECT_EQ(refusal([&] { manager.connect("Collector/Source", "PSM/Arm"); }),
+            "connecting here:Collector/Source -> here:PSM/Arm: a device keeps no rows for clients "
+            "of its own process. Require another lane, such as rpc, or make the device a task");
+  manager.connect("Collector/Source", "PSM/Arm", {.lane = Lane::Rpc});
+  EXPECT_TRUE(eventually([&] { return collector.counts().collected > 5; }));
+  manager.stop();
+}
+
+struct FullDisk final : Sink {
   void row(const CollectedInterface&, std::uint64_t, Time,
            std::span<const CollectedValue>) override {
     throw std::runtime_error("no space left");
