@@ -121,10 +121,9 @@ void ProvidedBase::keepState(const StateOptions& options) {
     throw SetupError(asked, "a device, which has no thread to publish rows in",
                      "Make the component a task, or leave 'manual' out");
   }
-  constexpr unsigned kMostRows = 1u << 20;
-  if (options.rows == 0 || options.rows > kMostRows) {
+  if (options.rows < 2 || options.rows > StateOptions::kMostRows) {  // one is mostly being written
     throw SetupError(asked, std::to_string(options.rows) + " rows",
-                     "Keep 1 to " + std::to_string(kMostRows));
+                     "Keep 2 to " + std::to_string(StateOptions::kMostRows));
   }
   options_ = options;
   if (rt::StateTable* const table = made_.load(std::memory_order_acquire); table != nullptr) {

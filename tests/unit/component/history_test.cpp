@@ -190,12 +190,12 @@ TEST(KeepState, TakesNoDescriptorWithoutAConnection) {
   EXPECT_EQ(openMemory(), before + 2) << "one table for both";
 }
 
-TEST(KeepState, RefusesMoreRowsThanAreOfUse) {
+TEST(KeepState, RefusesTooFewAndTooManyRows) {
   DrivenArm arm;
-  for (const unsigned rows : {0u, 1u << 30}) {
+  for (const unsigned rows : {0u, 1u, 1u << 30}) {
     EXPECT_EQ(
         refusal([&] { arm.automaticPort.keepState({.rows = rows}); }),
-        "the state table of 'Automatic': " + std::to_string(rows) + " rows. Keep 1 to 1048576");
+        "the state table of 'Automatic': " + std::to_string(rows) + " rows. Keep 2 to 1048576");
   }
 }
 
