@@ -64,8 +64,10 @@ void ArmController<N>::refuse(StateCommand command) {
   warnings_.tell(ArmWarning::WrongState);
 }
 
+// An arm on its way home holds, or it would be homed again in a moment.
 template <int N>
 void ArmController<N>::unhome() {
+  if (homing_ && setpoint_.isMoving()) hold();
   state_.is_homed = false;
   state_.stamp = suture::now();
   stateChanged_ = true;

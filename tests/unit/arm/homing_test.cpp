@@ -50,6 +50,29 @@ TEST_F(HomingTest, AfterAnEncoderJumpedCartesianCommandsAreRefused) {
   expectObeysServo();
 }
 
+TEST_F(HomingTest, UnhomingEndsTheWayHome) {
+  crtk_.move_jp(joints(0.2));
+  cycles(1000);
+  heard_ = {};
+  crtk_.home();
+  cycles(5);
+  crtk_.unhome();
+  cycles(2000);
+  EXPECT_FALSE(crtk_.operating_state().is_homed);
+  EXPECT_EQ(crtk_.operating_state().sub_state, "holding");
+  EXPECT_EQ(heard_.goals, std::vector<bool>{false});
+  EXPECT_GT(setpoint(0), 0.15) << "it holds where it was";
+}
+
+TEST_F(HomingTest, UnhomingLeavesAnotherMoveAlone) {
+  crtk_.move_jp(joints(0.2));
+  cycles(5);
+  crtk_.unhome();
+  cycles(1000);
+  EXPECT_FALSE(crtk_.operating_state().is_homed);
+  EXPECT_EQ(heard_.goals, std::vector<bool>{true});
+}
+
 TEST_F(HomingTest, UnhomingEndsAVelocityStream) {
   TwistGoal twist;
   twist.linear.x() = 0.01;
