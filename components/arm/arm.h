@@ -67,7 +67,7 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   SUTURE_COMMAND() virtual void resume() = 0;
   /// Moves the arm to its home position, if it is enabled. The move ends with goal_reached.
   SUTURE_COMMAND() virtual void home() = 0;
-  /// Makes the arm forget that it is homed.
+  /// Makes the arm forget that it is homed, and ends home(): the arm holds where it is.
   SUTURE_COMMAND() virtual void unhome() = 0;
   /// Does what its name says: "enable", "disable", "pause", "resume", "home" or "unhome". Any other
   /// name is reported as an error.
@@ -120,8 +120,9 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   /// Says where the arm's base is in the reference frame of this interface.
   SUTURE_COMMAND() virtual const TransformStamped& base_frame() const = 0;
   /// Sets where the arm's base is in the reference frame of this interface, for all clients. It is
-  /// refused if `base` names another reference frame than the interface's, and while the arm moves
-  /// or follows a stream.
+  /// refused if `base` names another reference frame than the interface's, while the arm moves or
+  /// follows a stream, and until no goal of a Cartesian stream in the reference frame, obeyed or
+  /// refused, has come for 0.1 s: the next one would be about the previous base.
   SUTURE_COMMAND() virtual void set_base_frame(const TransformStamped& base) = 0;
 
   // --- motion

@@ -19,7 +19,8 @@ enum class ArmWarning : std::uint32_t {
   PowerLost,       ///< the drives have no power any more, or may not have it: the arm is disabled
   DrivesSilent,    ///< the drives have measured nothing for 250 ms; the arm is in FAULT
   WrongFrame,      ///< a base is given in another frame than the arm's poses are
-  InMotion,        ///< the base of an arm that moves stays as it is
+  InMotion,        ///< the base stays as it is while the arm moves, or a stream of
+                   ///< goals in the reference frame comes
   EncoderJump,     ///< a joint is measured farther from where it was than it can have moved; the
                    ///< arm is in FAULT
   OverCurrent,     ///< a motor has given more than its joint may take for too long; the arm is in

@@ -81,9 +81,10 @@ void CrtkArm<N>::set_base_frame(const TransformStamped& base) {
     return arm_.warn(ArmWarning::WrongFrame);
   }
   // The goals of a stream were made in the previous frame, so the stream must not go on in the new
-  // one.
+  // one, also if something else has ended it here and its client has not heard of that.
   const OperatingState& now = arm_.operating_state();
-  if (now.state == ArmState::Enabled && now.sub_state != "holding") {
+  const bool moves = now.state == ArmState::Enabled && now.sub_state != "holding";
+  if (moves || referred_.isActive()) {
     return arm_.warn(ArmWarning::InMotion);
   }
   base_ = base;
@@ -135,7 +136,14 @@ void CrtkArm<N>::interpolate_jr(const JointGoal& step) {
 }
 
 template <int N>
+void CrtkArm<N>::interpolate_cp(const PoseStamped& goal) {
+  referred_.ask();
+  arm_.interpolate_cp(inBase(goal));
+}
+
+template <int N>
 void CrtkArm<N>::interpolate_cr(const PoseStamped& step) {
+  referred_.ask();
   if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
   arm_.interpolate_cp(stepped(arm_.setpoint_.endOfLine(), step));
 }
@@ -162,13 +170,21 @@ void CrtkArm<N>::drive(const std::optional<JointStreamGoal<N>>& goal, const char
 }
 
 template <int N>
+void CrtkArm<N>::servo_cp(const PoseStamped& goal) {
+  referred_.ask();
+  arm_.servo_cp(inBase(goal));
+}
+
+template <int N>
 void CrtkArm<N>::servo_cr(const PoseStamped& step) {
+  referred_.ask();
   if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
   arm_.servo_cp(stepped(arm_.setpoint(), step));
 }
 
 template <int N>
 void CrtkArm<N>::servo_cv(const TwistGoal& goal) {
+  referred_.ask();
   const Eigen::Matrix3d toBase = base_.transform.inverse().linear();
   drive(Stream::Kind::SpatialTwist, streamGoal(goal), "servo_cv", toBase);
 }
@@ -299,6 +315,7 @@ void CrtkArm<N>::advance(suture::Time now) {
   periods_.cycle(now);
   const double dt = lastCycle_ == suture::Time{} ? 0 : secondsBetween(lastCycle_, now);
   lastCycle_ = now;
+  if (referred_.hasFallenSilent(now)) referred_.end();
   endPreviousStream();
   // After such a pause the drives have dropped the arm's last goal, so the arm does not go on with
   // it.

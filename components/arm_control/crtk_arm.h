@@ -69,14 +69,14 @@ class CrtkArm final : public Arm {
   void servo_jr(const JointGoal& step) override;
   void servo_jv(const JointVelocityGoal& goal) override;
   void servo_jf(const JointEffortGoal& goal) override;
-  void servo_cp(const PoseStamped& goal) override { arm_.servo_cp(inBase(goal)); }
+  void servo_cp(const PoseStamped& goal) override;
   void servo_cr(const PoseStamped& step) override;
   void servo_cv(const TwistGoal& goal) override;
   void body_servo_cf(const WrenchGoal& goal) override;
   void spatial_servo_cf(const WrenchGoal& goal) override;
   void interpolate_jp(const JointGoal& goal) override { arm_.interpolate_jp(goal); }
   void interpolate_jr(const JointGoal& step) override;
-  void interpolate_cp(const PoseStamped& goal) override { arm_.interpolate_cp(inBase(goal)); }
+  void interpolate_cp(const PoseStamped& goal) override;
   void interpolate_cr(const PoseStamped& step) override;
   void move_jp(const JointGoal& goal) override { arm_.move_jp(goal); }
   void move_jr(const JointGoal& step) override;
@@ -167,6 +167,7 @@ class CrtkArm final : public Arm {
 
   Stream stream_;              // another activity of the arm ends it
   bool streamSlides_ = false;  // along a joint limit
+  StreamWatch referred_;       // goals of streams in the reference frame, obeyed or not
   suture::Time lastCycle_{};
 
   JointGoal moveGoal_;  // keeps its memory

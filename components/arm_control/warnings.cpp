@@ -28,7 +28,9 @@ std::string_view textOf(ArmWarning reason) {
       return "Cartesian control needs the wrist farther beyond the remote centre; insert it";
     case ArmWarning::NotHomed:
       return "Cartesian control needs an arm that knows where its joints are; home it";
-    case ArmWarning::InMotion: return "the base of an arm that moves stays as it is; hold it first";
+    case ArmWarning::InMotion:
+      return "the base stays as it is while the arm moves or a stream comes; end "
+             "that, then hold it";
   }
   return "";
 }

@@ -16,6 +16,8 @@ class StreamWatch {
   void ask() { asked_ = active_ = true; }
   /// Says that the command need not come any more.
   void end() { asked_ = active_ = false; }
+  /// Returns true from when the command has come until end().
+  bool isActive() const { return active_; }
 
   /// Call this once a cycle. Returns true if the command has not come for too long.
   bool hasFallenSilent(suture::Time now) {

@@ -772,8 +772,9 @@ constexpr char kArmDescription[] = R"json(
 "doc": "Stops the arm where the joints are. It refuses motion until resume().", "queue": 16}, {
 "name": "resume", "kind": "void", "ordinal": 18,
 "doc": "Ends a pause: the arm is enabled and holds.", "queue": 16}, {"name": "unhome",
-"kind": "void", "ordinal": 19, "doc": "Makes the arm forget that it is homed.", "queue": 16}, {
-"name": "state_command", "kind": "write", "ordinal": 20, "wire": "stateCommand",
+"kind": "void", "ordinal": 19,
+"doc": "Makes the arm forget that it is homed, and ends home(): the arm holds where it is.",
+"queue": 16}, {"name": "state_command", "kind": "write", "ordinal": 20, "wire": "stateCommand",
 "doc": "Does what its name says: \"enable\", \"disable\", \"pause\", \"resume\", \"home\" or \"unhome\". Any other\nname is reported as an error.",
 "parameters": [{"name": "name", "type": {"kind": "text", "capacity": 15}}], "queue": 16}, {
 "name": "goal_js", "kind": "read", "ordinal": 21, "wire": "goalJs",
@@ -813,7 +814,7 @@ constexpr char kArmDescription[] = R"json(
 "doc": "Says where the arm's base is in the reference frame of this interface.", "result": {
 "type": {"kind": "struct", "name": "robots::TransformStamped"}}, "queue": 16}, {
 "name": "set_base_frame", "kind": "write", "ordinal": 33, "wire": "setBaseFrame",
-"doc": "Sets where the arm's base is in the reference frame of this interface, for all clients. It is\nrefused if `base` names another reference frame than the interface's, and while the arm moves\nor follows a stream.",
+"doc": "Sets where the arm's base is in the reference frame of this interface, for all clients. It is\nrefused if `base` names another reference frame than the interface's, while the arm moves or\nfollows a stream, and until no goal of a Cartesian stream in the reference frame, obeyed or\nrefused, has come for 0.1 s: the next one would be about the previous base.",
 "parameters": [{"name": "base", "type": {"kind": "struct", "name": "robots::TransformStamped"}}],
 "queue": 16}, {"name": "free", "kind": "void", "ordinal": 34,
 "doc": "Lets the set-point follow the joints until another command. Drives that control efforts\nrelease the joints: their motors do no more than carry the arm, if they are to.",

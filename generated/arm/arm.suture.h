@@ -399,7 +399,7 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   /// Ends a pause: the arm is enabled and holds.
   /// Void: up to 16 wait.
   Command<&Contract::resume, NoSlot> resume{*this, Id::resume};
-  /// Makes the arm forget that it is homed.
+  /// Makes the arm forget that it is homed, and ends home(): the arm holds where it is.
   /// Void: up to 16 wait.
   Command<&Contract::unhome, NoSlot> unhome{*this, Id::unhome};
   /// Does what its name says: "enable", "disable", "pause", "resume", "home" or "unhome". Any other
@@ -461,8 +461,9 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   ReadCommand<&Contract::base_frame, robots::TransformStampedSlot> base_frame{
       *this, Id::base_frame};
   /// Sets where the arm's base is in the reference frame of this interface, for all clients. It is
-  /// refused if `base` names another reference frame than the interface's, and while the arm moves
-  /// or follows a stream.
+  /// refused if `base` names another reference frame than the interface's, while the arm moves or
+  /// follows a stream, and until no goal of a Cartesian stream in the reference frame, obeyed or
+  /// refused, has come for 0.1 s: the next one would be about the previous base.
   /// Write: up to 16 wait.
   Command<&Contract::set_base_frame, robots::ArmSetBaseFrameArguments> set_base_frame{
       *this, Id::set_base_frame};

@@ -119,7 +119,7 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   resume @18 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Ends a pause: the arm is enabled and holds.
   unhome @19 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Makes the arm forget that it is homed.
+  # Makes the arm forget that it is homed, and ends home(): the arm holds where it is.
   stateCommand @20 (name :Text $Meta.capacity([15]), sent :Rpc.Sent) -> ()
       $Meta.cxx("state_command") $Meta.kind("write") $Meta.queue(16);
   # Does what its name says: "enable", "disable", "pause", "resume", "home" or "unhome". Any other
@@ -172,8 +172,9 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   setBaseFrame @33 (base :Pose.TransformStamped, sent :Rpc.Sent) -> () $Meta.cxx("set_base_frame")
       $Meta.kind("write") $Meta.queue(16);
   # Sets where the arm's base is in the reference frame of this interface, for all clients. It is
-  # refused if `base` names another reference frame than the interface's, and while the arm moves
-  # or follows a stream.
+  # refused if `base` names another reference frame than the interface's, while the arm moves or
+  # follows a stream, and until no goal of a Cartesian stream in the reference frame, obeyed or
+  # refused, has come for 0.1 s: the next one would be about the previous base.
   free @34 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Lets the set-point follow the joints until another command. Drives that control efforts
   # release the joints: their motors do no more than carry the arm, if they are to.

@@ -19,10 +19,10 @@ Duration positive(Duration period) {
 }  // namespace
 
 /// Is what the collector looks at, of any contract.
-  /// Returns true if `table` belongs to the connection of this cycle, though it may be lost.
-  bool has(const std::shared_ptr<rt::StateTable>& table) const {
-    return channel() != nullptr && channel()->state == table;
-  }
+/// Returns true if `table` belongs to the connection of this cycle, though it may be lost.
+bool has(const std::shared_ptr<rt::StateTable>& table) const {
+  return channel() != nullptr && channel()->state == table;
+}
 class StateCollector::Source final : public RequiredBase {
  public:
   Source(Component& owner, const InterfaceInfo& contract)
@@ -85,10 +85,10 @@ void StateCollector::startCollecting() {
   doorbell().ring();
 }
 
-  if (table_ != nullptr && !source_->has(table_)) {  // of a connection that is gone
-    takeRows();
-    table_ = nullptr;
-  }
+if (table_ != nullptr && !source_->has(table_)) {  // of a connection that is gone
+  takeRows();
+  table_ = nullptr;
+}
 void StateCollector::stopCollecting() {
   collection_.switchTo(false);
   doorbell().ring();
@@ -126,8 +126,8 @@ void StateCollector::begin() {
 }
 
 void StateCollector::takeRows() {
-// Takes the rows that are there now. Those that come meanwhile have to wait for the next look,
-// since with a sink that is slower than the provider this would never end.
+  // Takes the rows that are there now. Those that come meanwhile have to wait for the next look,
+  // since with a sink that is slower than the provider this would never end.
   const std::uint64_t newest = table_->rows();
   while (next_ <= newest) {
     const rt::StateTable::Row row = table_->readRowNumber(next_, slots_);

@@ -139,9 +139,41 @@ TEST_F(CrtkArmTest, AMovingArmKeepsItsBase) {
   cycles(1);
   expectMoved(before, {0, 0, 0});
   EXPECT_EQ(heard_.codes, std::vector{ArmWarning::InMotion});
-  crtk_.hold();
-  crtk_.set_base_frame(baseAt({0.03, 0, 0}));
-  expectMoved(before, {0.03, 0, 0});
+}
+
+/// The goals of a stream that still come were made in the previous frame.
+TEST_F(CrtkArmTest, AStreamOfTipsKeepsTheBaseUntilItIsSilent) {
+  const std::vector<std::pair<const char*, std::function<void()>>> rests{
+      {"hold", [this] { crtk_.hold(); }}, {"pause", [this] { crtk_.pause(); }}, {"disable", [this] {
+                                                                                   crtk_.disable();
+                                                                                 }}};
+  const PoseStamped there = crtk_.setpoint_cp(), here = step(Eigen::Vector3d::Zero());
+  const std::vector<std::pair<const char*, std::function<void()>>> streams{
+      {"servo_cp", [&] { crtk_.servo_cp(there); }},
+      {"servo_cr", [&] { crtk_.servo_cr(here); }},
+      {"servo_cv", [&] { crtk_.servo_cv({}); }},
+      {"interpolate_cp", [&] { crtk_.interpolate_cp(there); }},
+      {"interpolate_cr", [&] { crtk_.interpolate_cr(here); }}};
+  for (const auto& [rest, toRest] : rests) {
+    for (const auto& [stream, goal] : streams) {
+      SCOPED_TRACE(std::string(stream) + ", then " + rest);
+      goal();
+      cycles(5);
+      toRest();
+      goal();  // obeyed or refused, it is of a stream
+      toRest();
+      cycles(99);
+      crtk_.set_base_frame(baseAt({0.02, 0, 0}));
+      expectMoved(there, {0, 0, 0});
+      cycles(3);
+      crtk_.set_base_frame(baseAt({0.02, 0, 0}));
+      expectMoved(there, {0.02, 0, 0});
+      crtk_.set_base_frame(baseAt({0, 0, 0}));
+      crtk_.resume();
+      crtk_.enable();
+      cycles(1);
+    }
+  }
 }
 
 TEST_F(CrtkArmTest, MotionAndForceNameTheirFrames) {
