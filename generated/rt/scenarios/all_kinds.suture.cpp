@@ -295,9 +295,9 @@ constexpr suture::EventInfo kAllKindsEvents[] = {
 // The self-description, as in rt/scenarios/all_kinds.suture.json.
 constexpr char kAllKindsDescription[] = R"json(
 {"name": "scenarios::AllKinds", "hash": "a9aa7eb587740dbc7d09ca6fff6de2b1", "commands": [{
-"name": "clear", "kind": "void", "ordinal": 1, "doc": "Forgets all values. void", "queue": 16}, {
-"name": "set_scalar", "kind": "write", "ordinal": 2, "wire": "setScalar",
-"doc": "Write: keep a value and tell it.", "parameters": [{"name": "value", "type": {
+"name": "clear", "kind": "void", "ordinal": 1, "doc": "Forgets all values. This is a void command.",
+"queue": 16}, {"name": "set_scalar", "kind": "write", "ordinal": 2, "wire": "setScalar",
+"doc": "Keeps a value and tells it. This is a write.", "parameters": [{"name": "value", "type": {
 "kind": "Float64"}}], "queue": 16}, {"name": "set_vector", "kind": "write", "ordinal": 3,
 "wire": "setVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
 "scalar": "Float64", "rows": 3, "columns": 1}}], "queue": 16}, {"name": "set_record",
@@ -305,24 +305,25 @@ constexpr char kAllKindsDescription[] = R"json(
 "kind": "struct", "name": "robots::PosePrm"}}], "queue": 16}, {"name": "set_text", "kind": "write",
 "ordinal": 5, "wire": "setText", "parameters": [{"name": "value", "type": {"kind": "text",
 "capacity": 31}}], "queue": 16}, {"name": "scalar", "kind": "read", "ordinal": 6,
-"doc": "Read: the value kept.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "vector", "kind": "read", "ordinal": 7, "result": {"type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "record", "kind": "read",
-"ordinal": 8, "result": {"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {
-"name": "text", "kind": "read", "ordinal": 9, "result": {"type": {"kind": "text", "capacity": 31}},
-"queue": 16}, {"name": "twice_scalar", "kind": "qualified read", "ordinal": 10,
-"wire": "twiceScalar", "doc": "Qualified read: twice the value given.", "parameters": [{
-"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {"kind": "Float64"}}, "queue": 16
-}, {"name": "twice_vector", "kind": "qualified read", "ordinal": 11, "wire": "twiceVector",
-"parameters": [{"name": "value", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}}], "result": {"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
-}}, "queue": 16}, {"name": "twice_record", "kind": "qualified read", "ordinal": 12,
-"wire": "twiceRecord", "parameters": [{"name": "value", "type": {"kind": "struct",
-"name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct", "name": "robots::PosePrm"}},
-"queue": 16}, {"name": "twice_text", "kind": "qualified read", "ordinal": 13, "wire": "twiceText",
-"parameters": [{"name": "value", "type": {"kind": "text", "capacity": 15}}], "result": {"type": {
-"kind": "text", "capacity": 31}}, "queue": 16}, {"name": "take_scalar", "kind": "void with return",
-"ordinal": 14, "wire": "takeScalar", "doc": "Void with return: the value kept, and forgets it.",
+"doc": "Returns the value that is kept. This is a read.", "result": {"type": {"kind": "Float64"}},
+"queue": 16}, {"name": "vector", "kind": "read", "ordinal": 7, "result": {"type": {
+"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "record",
+"kind": "read", "ordinal": 8, "result": {"type": {"kind": "struct", "name": "robots::PosePrm"}},
+"queue": 16}, {"name": "text", "kind": "read", "ordinal": 9, "result": {"type": {"kind": "text",
+"capacity": 31}}, "queue": 16}, {"name": "twice_scalar", "kind": "qualified read", "ordinal": 10,
+"wire": "twiceScalar", "doc": "Returns twice the value that is given. This is a qualified read.",
+"parameters": [{"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {
+"kind": "Float64"}}, "queue": 16}, {"name": "twice_vector", "kind": "qualified read", "ordinal": 11,
+"wire": "twiceVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}], "result": {"type": {"kind": "matrix",
+"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "twice_record",
+"kind": "qualified read", "ordinal": 12, "wire": "twiceRecord", "parameters": [{"name": "value",
+"type": {"kind": "struct", "name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct",
+"name": "robots::PosePrm"}}, "queue": 16}, {"name": "twice_text", "kind": "qualified read",
+"ordinal": 13, "wire": "twiceText", "parameters": [{"name": "value", "type": {"kind": "text",
+"capacity": 15}}], "result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}, {
+"name": "take_scalar", "kind": "void with return", "ordinal": 14, "wire": "takeScalar",
+"doc": "Returns the value that was kept, and forgets it. This is a void command with a return.",
 "result": {"type": {"kind": "Float64"}}, "queue": 16}, {"name": "take_vector",
 "kind": "void with return", "ordinal": 15, "wire": "takeVector", "result": {"type": {
 "kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {
@@ -330,26 +331,28 @@ constexpr char kAllKindsDescription[] = R"json(
 "type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "take_text",
 "kind": "void with return", "ordinal": 17, "wire": "takeText", "result": {"type": {"kind": "text",
 "capacity": 31}}, "queue": 16}, {"name": "swap_scalar", "kind": "write with return", "ordinal": 18,
-"wire": "swapScalar", "doc": "Write with return: keep a value, answer the one before.",
-"parameters": [{"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {
-"kind": "Float64"}}, "queue": 16}, {"name": "swap_vector", "kind": "write with return",
-"ordinal": 19, "wire": "swapVector", "parameters": [{"name": "value", "type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}}], "result": {"type": {"kind": "matrix",
-"scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {"name": "swap_record",
-"kind": "write with return", "ordinal": 20, "wire": "swapRecord", "parameters": [{"name": "value",
-"type": {"kind": "struct", "name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct",
-"name": "robots::PosePrm"}}, "queue": 16}, {"name": "swap_text", "kind": "write with return",
-"ordinal": 21, "wire": "swapText", "parameters": [{"name": "value", "type": {"kind": "text",
-"capacity": 31}}], "result": {"type": {"kind": "text", "capacity": 31}}, "queue": 16}], "events": [
-{"name": "cleared", "kind": "void", "ordinal": 1, "doc": "All values are forgotten. void",
-"queue": 16}, {"name": "scalar_set", "kind": "write", "ordinal": 2, "wire": "scalarSet",
-"doc": "Write: a value has been set.", "payload": {"type": {"kind": "Float64"}}, "queue": 16}, {
-"name": "vector_set", "kind": "write", "ordinal": 3, "wire": "vectorSet", "payload": {"type": {
-"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}}, "queue": 16}, {
-"name": "record_set", "kind": "write", "ordinal": 4, "wire": "recordSet", "payload": {"type": {
-"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "text_set", "kind": "write",
-"ordinal": 5, "wire": "textSet", "payload": {"type": {"kind": "text", "capacity": 31}}, "queue": 16
-}], "enums": [], "structs": [{"name": "robots::PosePrm",
+"wire": "swapScalar",
+"doc": "Keeps a value and returns the one before. This is a write with a return.", "parameters": [{
+"name": "value", "type": {"kind": "Float64"}}], "result": {"type": {"kind": "Float64"}}, "queue": 16
+}, {"name": "swap_vector", "kind": "write with return", "ordinal": 19, "wire": "swapVector",
+"parameters": [{"name": "value", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}}], "result": {"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
+}}, "queue": 16}, {"name": "swap_record", "kind": "write with return", "ordinal": 20,
+"wire": "swapRecord", "parameters": [{"name": "value", "type": {"kind": "struct",
+"name": "robots::PosePrm"}}], "result": {"type": {"kind": "struct", "name": "robots::PosePrm"}},
+"queue": 16}, {"name": "swap_text", "kind": "write with return", "ordinal": 21, "wire": "swapText",
+"parameters": [{"name": "value", "type": {"kind": "text", "capacity": 31}}], "result": {"type": {
+"kind": "text", "capacity": 31}}, "queue": 16}], "events": [{"name": "cleared", "kind": "void",
+"ordinal": 1, "doc": "Tells that all values are forgotten. This is a void event.", "queue": 16}, {
+"name": "scalar_set", "kind": "write", "ordinal": 2, "wire": "scalarSet",
+"doc": "Tells the value that has been set. This is a write event.", "payload": {"type": {
+"kind": "Float64"}}, "queue": 16}, {"name": "vector_set", "kind": "write", "ordinal": 3,
+"wire": "vectorSet", "payload": {"type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}}, "queue": 16}, {"name": "record_set", "kind": "write", "ordinal": 4,
+"wire": "recordSet", "payload": {"type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16
+}, {"name": "text_set", "kind": "write", "ordinal": 5, "wire": "textSet", "payload": {"type": {
+"kind": "text", "capacity": 31}}, "queue": 16}], "enums": [], "structs": [{
+"name": "robots::PosePrm",
 "doc": "Has the fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
 "fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "automatic_timestamp", "wire": "automaticTimestamp",

@@ -158,10 +158,10 @@ class Required<scenarios::AllKinds> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Forgets all values. void
+  /// Forgets all values. This is a void command.
   /// Void: up to 16 wait.
   Command<&Contract::clear, NoSlot> clear{*this, Id::clear};
-  /// Write: keep a value and tell it.
+  /// Keeps a value and tells it. This is a write.
   /// Write: up to 16 wait.
   Command<&Contract::set_scalar, scenarios::AllKindsSetScalarArguments> set_scalar{
       *this, Id::set_scalar};
@@ -173,7 +173,7 @@ class Required<scenarios::AllKinds> : public RequiredBase {
       *this, Id::set_record};
   /// Write: up to 16 wait.
   Command<&Contract::set_text, scenarios::AllKindsSetTextArguments> set_text{*this, Id::set_text};
-  /// Read: the value kept.
+  /// Returns the value that is kept. This is a read.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::scalar, double> scalar{*this, Id::scalar};
   /// Read: answered at once with what the last cycle left.
@@ -182,7 +182,7 @@ class Required<scenarios::AllKinds> : public RequiredBase {
   ReadCommand<&Contract::record, robots::PosePrmSlot> record{*this, Id::record};
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::text, suture::BoundedText<31>> text{*this, Id::text};
-  /// Qualified read: twice the value given.
+  /// Returns twice the value that is given. This is a qualified read.
   /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::twice_scalar, scenarios::AllKindsTwiceScalarArguments,
                        double> twice_scalar{*this, Id::twice_scalar};
@@ -195,7 +195,7 @@ class Required<scenarios::AllKinds> : public RequiredBase {
   /// Qualified read: asked in the component's thread. `within()` waits 1 s for the answer.
   QualifiedReadCommand<&Contract::twice_text, scenarios::AllKindsTwiceTextArguments,
                        suture::BoundedText<31>> twice_text{*this, Id::twice_text};
-  /// Void with return: the value kept, and forgets it.
+  /// Returns the value that was kept, and forgets it. This is a void command with a return.
   /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::take_scalar, NoSlot, double> take_scalar{*this, Id::take_scalar};
   /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
@@ -207,7 +207,7 @@ class Required<scenarios::AllKinds> : public RequiredBase {
   /// Void with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::take_text, NoSlot, suture::BoundedText<31>> take_text{
       *this, Id::take_text};
-  /// Write with return: keep a value, answer the one before.
+  /// Keeps a value and returns the one before. This is a write with a return.
   /// Write with return: up to 16 wait. `within()` waits 1 s for the answer.
   ReturningCommand<&Contract::swap_scalar, scenarios::AllKindsSwapScalarArguments,
                    double> swap_scalar{*this, Id::swap_scalar};
@@ -230,10 +230,10 @@ class Required<scenarios::AllKinds> : public RequiredBase {
           record_set{required, EventId::record_set},
           text_set{required, EventId::text_set} {}
 
-    /// All values are forgotten. void
+    /// Tells that all values are forgotten. This is a void event.
     /// At a subscriber up to 16 wait.
     Subscription<void> cleared;
-    /// Write: a value has been set.
+    /// Tells the value that has been set. This is a write event.
     /// At a subscriber up to 16 wait.
     Subscription<double, double> scalar_set;
     /// At a subscriber up to 16 wait.
@@ -273,9 +273,9 @@ class Provided<scenarios::AllKinds> : public ProvidedBase {
           record_set{provided, EventId::record_set},
           text_set{provided, EventId::text_set} {}
 
-    /// All values are forgotten. void
+    /// Tells that all values are forgotten. This is a void event.
     Emitter<void> cleared;
-    /// Write: a value has been set.
+    /// Tells the value that has been set. This is a write event.
     Emitter<double, double> scalar_set;
     Emitter<std::array<double, 3>, Eigen::Vector3d> vector_set;
     Emitter<robots::PosePrmSlot, robots::PosePrm> record_set;
