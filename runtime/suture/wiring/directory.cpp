@@ -3,6 +3,8 @@
 #include <suture/wiring/directory.h>
 
 #include <algorithm>
+#include <cctype>
+#include <set>
 
 namespace suture {
 namespace {
@@ -12,6 +14,36 @@ Interface* named(const std::vector<Interface*>& interfaces, const std::string& n
   const auto found = std::find_if(interfaces.begin(), interfaces.end(),
                                   [&](const Interface* one) { return one->name() == name; });
   return found == interfaces.end() ? nullptr : *found;
+}
+
+constexpr const char* kNameRule = "Choose a name without ':', '/', '->' and control characters";
+
+/// Returns true if an endpoint and the name of a connection ("A/b -> C/d") can have `name` as a
+/// part.
+bool canBePart(const std::string& name) {
+  const bool split =
+      name.find_first_of(":/") != std::string::npos || name.find("->") != std::string::npos;
+  return !name.empty() && !split && std::none_of(name.begin(), name.end(), [](unsigned char one) {
+    return std::iscntrl(one) != 0;
+  });
+}
+
+/// Throws SetupError unless each of `interfaces`, which are of this `kind`, has a name of its own.
+template <class Interface>
+void requireNames(const std::vector<Interface*>& interfaces, const std::string& kind,
+                  const std::string& asked) {
+  std::set<std::string> names;
+  for (const Interface* one : interfaces) {
+    if (!canBePart(one->name())) {
+      throw SetupError(asked,
+                       "no endpoint 'process:component/interface' could name its interface '" +
+                           one->name() + "'",
+                       kNameRule);
+    }
+    if (names.insert(one->name()).second) continue;
+    throw SetupError(asked, "two of its " + kind + " interfaces are called '" + one->name() + "'",
+                     "Give each of them its own name");
+  }
 }
 
 /// Looks in `interfaces`, which are of this `kind`. `others` are those of the component that stand
@@ -37,9 +69,8 @@ void Directory::add(const std::string& name, Component& component,
                     const std::function<void()>& prepare) {
   const std::lock_guard lock(mutex_);
   const std::string asked = "adding a component '" + name + "' to process '" + process_ + "'";
-  if (name.empty() || name.find_first_of(":/") != std::string::npos) {
-    throw SetupError(asked, "no endpoint 'process:component/interface' could name it",
-                     "Choose a name without ':' and '/'");
+  if (!canBePart(name)) {
+    throw SetupError(asked, "no endpoint 'process:component/interface' could name it", kNameRule);
   }
   if (components_.contains(name)) {
     throw SetupError(asked, "it has one of that name",
@@ -50,6 +81,8 @@ void Directory::add(const std::string& name, Component& component,
     throw SetupError(asked, "the same object is there as '" + other + "'",
                      "Add each component once");
   }
+  requireNames(component.provided(), "provided", asked);
+  requireNames(component.required(), "required", asked);
   prepare();
   components_.emplace(name, &component);
 }

@@ -27,8 +27,8 @@ class Directory {
   const std::string& process() const { return process_; }
 
   /// `prepare` makes the component ready to be found by other threads. It is not called if the name
-  /// or the component is refused, and if it throws the component is not added. It must not use this
-  /// directory.
+  /// or the component is refused, or one of its interfaces has no name of its own, and if it throws
+  /// the component is not added. It must not use this directory.
   void add(const std::string& name, Component& component, const std::function<void()>& prepare);
   std::vector<Component*> components() const;
 

@@ -77,10 +77,41 @@ TEST_F(Wired, ANameIsTakenOnce) {
 
 TEST_F(Wired, AnImpossibleNameIsRefused) {
   reference::SimulatedArm other{{}};
-  for (const char* const name : {"", "left:PSM2", "PSM2/Arm"}) {
-    const std::string error = refusal([&] { directory_.add(name, other, [] {}); });
-    EXPECT_NE(error.find("Choose a name without ':' and '/'"), std::string::npos) << error;
+  for (const char* const name : {"", "left:PSM2", "PSM2/Arm", "PSM2 -> PSM3", "PSM\n2"}) {
+    EXPECT_EQ(refusal([&] { directory_.add(name, other, [] {}); }),
+              "adding a component '" + std::string(name) +
+                  "' to process 'left': no endpoint 'process:component/interface' could name it. "
+                  "Choose a name without ':', '/', '->' and control characters");
   }
+}
+
+struct NamedInterfaces final : Device {
+  NamedInterfaces(const std::string& first, const std::string& second)
+      : provided(*this, first, arm), required(*this, first), another(*this, second) {}
+
+  reference::SimulatedArm arm{{}};
+  Provided<reference::ArmLike> provided;
+  Required<reference::ArmLike> required, another;
+};
+
+TEST_F(Wired, AnImpossibleNameOfAnInterfaceIsRefused) {
+  for (const char* const name : {"", "a/b:c", "a -> b", "a\n"}) {
+    NamedInterfaces component(name, "Slave");
+    EXPECT_EQ(refusal([&] { directory_.add("Left", component, [] {}); }),
+              "adding a component 'Left' to process 'left': no endpoint "
+              "'process:component/interface' could name its interface '" +
+                  std::string(name) +
+                  "'. Choose a name without ':', '/', '->' and control characters");
+  }
+}
+
+TEST_F(Wired, TwoInterfacesOfOneEndHaveTwoNames) {
+  NamedInterfaces component("Arm", "Arm"), bridge("Arm", "Slave");
+  EXPECT_EQ(refusal([&] { directory_.add("Left", component, [] {}); }),
+            "adding a component 'Left' to process 'left': two of its required interfaces are "
+            "called 'Arm'. Give each of them its own name");
+  EXPECT_EQ(directory_.findComponent("Left"), nullptr);
+  directory_.add("Left", bridge, [] {});  // both ends may have one
 }
 
 TEST_F(Wired, AComponentIsAddedOnce) {
