@@ -1,6 +1,7 @@
 #include <suture/component/provided.h>
 #include <suture/record/black_box.h>
 #include <suture/record/json_lines.h>
+#include <suture/rt/period.h>
 #include <suture/rt/state/state_table.h>
 
 #include <algorithm>
@@ -52,94 +53,93 @@ class Rows {
   std::vector<CollectedValue> values_;
 };
 
+BlackBoxOptions checked(BlackBoxOptions options) {
+  if (options.rows > StateOptions::kMostRows) {
+    throw SetupError("a black box", std::to_string(options.rows) + " rows",
+                     "Keep at most " + std::to_string(StateOptions::kMostRows));
+  }
+  rt::positivePeriod("a black box", options.period);
+  return options;
+}
+
 void keepAll(const Component& component, unsigned rows) {
   for (ProvidedBase* provided : component.provided()) {
-    BlackBoxOptions checked(BlackBoxOptions options) {
-      if (options.rows > StateOptions::kMostRows) {
-        throw SetupError("a black box", std::to_string(options.rows) + " rows",
-                         "Keep at most " + std::to_string(StateOptions::kMostRows));
-      }
-      return options;
-    }
-
     rt::StateTable& state = *provided->state();
     if (rows > state.capacity()) state.resize(rows);
     for (unsigned column = 0; column < state.columns(); ++column) state.ask(column);
   }
 }
 
-}  // namespace
-
-BlackBox::BlackBox(const std::vector<Component*>& components, BlackBoxOptions options)
-    // A device has rows only while its executor serves clients of other processes.
-    bool keepsRows(const Component& component) {
+// A device has rows only while its executor serves clients of other processes.
+bool keepsRows(const Component& component) {
   const auto& all = component.provided();
   return component.ownsThread() || std::any_of(all.begin(), all.end(), [](ProvidedBase* one) {
            return one->state()->rows() > 0;
          });
 }
 
+}  // namespace
+
+BlackBox::BlackBox(const std::vector<Component*>& components, BlackBoxOptions options)
     : options_(checked(std::move(options))) {
-      for (Component* component : components) {
-        keepAll(*component, options_.rows);
-        watched_.push_back({component, component->faults()});
-      }
-      thread_.start("black box", [this] { watch(); });
-    }
+  for (Component* component : components) {
+    keepAll(*component, options_.rows);
+    watched_.push_back({component, component->faults()});
+  }
+  thread_.start("black box", [this] { watch(); });
+}
 
-    BlackBox::~BlackBox() {
-      ending_.ring();
-      thread_.join();
-    }
+BlackBox::~BlackBox() {
+  ending_.ring();
+  thread_.join();
+}
 
-    void BlackBox::watch() {
-      bool last = false;
-      while (!last) {
-        last = ending_.waitUntil(now() + options_.period) != rt::RungFor::Nothing;
-        for (Watched& watched : watched_) look(watched);
-      }
-    }
+void BlackBox::watch() {
+  bool last = false;
+  while (!last) {
+    last = ending_.waitUntil(fromNow(options_.period)) != rt::RungFor::Nothing;
+    for (Watched& watched : watched_) look(watched);
+  }
+}
 
-    void BlackBox::look(Watched& watched) {
-      const Component& component = *watched.component;
-      const std::uint64_t last = component.faults();
-      if (last == watched.faults) return;
-      const std::uint64_t first = std::exchange(watched.faults, last) + 1;
-      const std::string reason = component.fault();
-      const auto file = options_.folder / (options_.prefix + component.name() + "." +
-                                           std::to_string(last) + ".jsonl");
-      const std::string several =
-          first == last ? ""
-                        : " (faults " + std::to_string(first) + " to " + std::to_string(last) + ")";
-      const std::string what =
-          "component '" + component.name() + "' faulted" + several + ": " + reason;
-      try {
-        write(component, first, last, reason, file);
-        options_.tell(what +
-                      (keepsRows(component)
-                           ? ". Its last state is in "
-                           : ". It is a device, of which no rows are kept; the fault "
-                             "alone is in ") +
-                      file.string());
-      } catch (const std::exception& error) {
-        // The part that was written would only take the room that the next file needs.
-        std::error_code ignored;
-        std::filesystem::remove(file, ignored);
-        options_.tell(what + ". Its last state is not kept: " + error.what());
-      }
-    }
+void BlackBox::look(Watched& watched) {
+  const Component& component = *watched.component;
+  const std::uint64_t last = component.faults();
+  if (last == watched.faults) return;
+  const std::uint64_t first = std::exchange(watched.faults, last) + 1;
+  const std::string reason = component.fault();
+  const auto file = options_.folder /
+                    (options_.prefix + component.name() + "." + std::to_string(last) + ".jsonl");
+  const std::string several =
+      first == last ? ""
+                    : " (faults " + std::to_string(first) + " to " + std::to_string(last) + ")";
+  const std::string what = "component '" + component.name() + "' faulted" + several + ": " + reason;
+  try {
+    write(component, first, last, reason, file);
+    options_.tell(what +
+                  (keepsRows(component) ? ". Its last state is in "
+                                        : ". It is a device, of which no rows are kept; the fault "
+                                          "alone is in ") +
+                  file.string());
+  } catch (const std::exception& error) {
+    // The part that was written would only take the room that the next file needs.
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    options_.tell(what + ". Its last state is not kept: " + error.what());
+  }
+}
 
-    void BlackBox::write(const Component& component, std::uint64_t first, std::uint64_t last,
-                         const std::string& reason, const std::filesystem::path& file) const {
-      JsonLines lines(file);
-      lines.begin();
-      lines.faults(component.name(), first, last, reason);
-      const Time since = now() - options_.last;
-      for (ProvidedBase* provided : component.provided()) Rows(*provided).write(since, lines);
-      if (!lines.flush()) {
-        throw SetupError("writing " + file.string(), "the file system did not take all of it",
-                         "Make room there");
-      }
-    }
+void BlackBox::write(const Component& component, std::uint64_t first, std::uint64_t last,
+                     const std::string& reason, const std::filesystem::path& file) const {
+  JsonLines lines(file);
+  lines.begin();
+  lines.faults(component.name(), first, last, reason);
+  const Time since = now() - options_.last;
+  for (ProvidedBase* provided : component.provided()) Rows(*provided).write(since, lines);
+  if (!lines.flush()) {
+    throw SetupError("writing " + file.string(), "the file system did not take all of it",
+                     "Make room there");
+  }
+}
 
-    }  // namespace suture
+}  // namespace suture

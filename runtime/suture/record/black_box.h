@@ -35,7 +35,8 @@ struct BlackBoxOptions {
 class BlackBox {
  public:
   /// Before the components are started and connected. Asks for all reads that they provide, so that
-  /// there are rows. The components must outlive this.
+  /// there are rows. The components must outlive this. Throws SetupError if there would be too many
+  /// rows, or if the period is not positive.
   BlackBox(const std::vector<Component*>& components, BlackBoxOptions options);
   ~BlackBox();
   BlackBox(const BlackBox&) = delete;

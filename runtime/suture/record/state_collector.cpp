@@ -1,28 +1,13 @@
-#include <suture/base/errors.h>
 #include <suture/component/channel/channel.h>
 #include <suture/record/state_collector.h>
+#include <suture/rt/period.h>
 #include <suture/rt/state/state_table.h>
 
 #include <algorithm>
-#include <string>
 
 namespace suture {
 
-namespace {
-
-Duration positive(Duration period) {
-  if (period > Duration{0}) return period;
-  throw SetupError("a collector", "a period of " + std::to_string(period.count()) + " ns",
-                   "Give a period greater than zero");
-}
-
-}  // namespace
-
 /// Is what the collector looks at, of any contract.
-/// Returns true if `table` belongs to the connection of this cycle, though it may be lost.
-bool has(const std::shared_ptr<rt::StateTable>& table) const {
-  return channel() != nullptr && channel()->state == table;
-}
 class StateCollector::Source final : public RequiredBase {
  public:
   Source(Component& owner, const InterfaceInfo& contract)
@@ -33,6 +18,10 @@ class StateCollector::Source final : public RequiredBase {
   /// Returns the provider's state; nullptr while nothing reaches it.
   std::shared_ptr<rt::StateTable> state() {
     return unusable() == Errc{} ? channel()->state : nullptr;
+  }
+  /// Returns true if `table` belongs to the connection of this cycle, though it may be lost.
+  bool has(const std::shared_ptr<rt::StateTable>& table) const {
+    return channel() != nullptr && channel()->state == table;
   }
   /// Call this only with a connection. Asks that its rows from now on hold the reads `wanted`.
   void ask(const std::vector<std::uint16_t>& wanted) {
@@ -54,7 +43,8 @@ class StateCollector::Source final : public RequiredBase {
 
 StateCollector::StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options,
                                Sink& sink)
-    : EventTask({.scheduling = options.scheduling, .longestSleep = positive(options.period)}),
+    : EventTask({.scheduling = options.scheduling,
+                 .longestSleep = rt::positivePeriod("a collector", options.period)}),
       reads_(readsOf(contract, options.reads)),
       collection_(options.interval, options.collecting),
       sink_(sink),
@@ -85,10 +75,6 @@ void StateCollector::startCollecting() {
   doorbell().ring();
 }
 
-if (table_ != nullptr && !source_->has(table_)) {  // of a connection that is gone
-  takeRows();
-  table_ = nullptr;
-}
 void StateCollector::stopCollecting() {
   collection_.switchTo(false);
   doorbell().ring();
@@ -97,6 +83,10 @@ void StateCollector::stopCollecting() {
 void StateCollector::run() {
   const bool wanted = collection_.wanted();
   if (!wanted && !collection_.active()) return;
+  if (table_ != nullptr && !source_->has(table_)) {  // of a connection that is gone
+    takeRows();
+    table_ = nullptr;
+  }
   const auto table = source_->state();
   if (table != nullptr && (table != table_ || !collection_.active())) {
     table_ = table;
@@ -125,9 +115,9 @@ void StateCollector::begin() {
   if (!collection_.active()) collection_.setActive(true);
 }
 
+// Takes the rows that are there now. Those that come meanwhile have to wait for the next look,
+// since with a sink that is slower than the provider this would never end.
 void StateCollector::takeRows() {
-  // Takes the rows that are there now. Those that come meanwhile have to wait for the next look,
-  // since with a sink that is slower than the provider this would never end.
   const std::uint64_t newest = table_->rows();
   while (next_ <= newest) {
     const rt::StateTable::Row row = table_->readRowNumber(next_, slots_);

@@ -21,9 +21,9 @@
 #include <vector>
 
 #include "support/eventually.h"
+#include "support/refusal.h"
 #include "support/temporary_directory.h"
 
-#include "support/refusal.h"
 namespace suture {
 namespace {
 
@@ -160,13 +160,28 @@ TEST_F(Boxed, AFullDiskIsTold) {
   EXPECT_NE(toldAfterFault().find("the file system did not take all of it"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace suture
 TEST(BlackBox, RefusesMoreRowsThanAreOfUse) {
   Arm arm;
   EXPECT_EQ(refusal([&] { BlackBox({&arm}, {.folder = "/tmp", .rows = 3'000'000'000}); }),
             "a black box: 3000000000 rows. Keep at most 1048576");
   EXPECT_EQ(arm.port.state()->capacity(), 256u);
+}
+
+TEST(BlackBox, RefusesToLookWithoutAPause) {
+  EXPECT_EQ(refusal([] { BlackBox({}, {.folder = "/tmp", .period = Duration{0}}); }),
+            "a black box: a period of 0 ns. Give a period greater than zero");
+  EXPECT_EQ(refusal([] { BlackBox({}, {.folder = "/tmp", .period = Duration{-1}}); }),
+            "a black box: a period of -1 ns. Give a period greater than zero");
+}
+
+TEST_F(Boxed, ABoxMayLookAtTheEndAlone) {
+  begin(directory_.file(""), 10s, Duration::max());
+  arm_.broken = 1;
+  EXPECT_TRUE(eventually([&] { return arm_.state() == ComponentState::Faulted; }));
+  pass(30ms);
+  EXPECT_EQ(lastTold(), "");
+  box_.reset();
+  EXPECT_NE(lastTold().find("Its last state is in"), std::string::npos);
 }
 
 /// Is parked by a command, whose caller's thread executes it.

@@ -17,8 +17,8 @@ struct EventOptions {
 /// taken itself, by within() or poll(), starts no other cycle.
 class EventTask : public ThreadTask {
  public:
-  explicit EventTask(const EventOptions& options = {})
-      : ThreadTask(options.scheduling), longestSleep_(options.longestSleep) {}
+  /// Throws SetupError if the longest sleep is not positive.
+  explicit EventTask(const EventOptions& options = {});
 
  private:
   bool awaitCycle() final;

@@ -1,18 +1,10 @@
-#include <suture/base/errors.h>
 #include <suture/component/task/periodic_task.h>
-
-#include <string>
 
 namespace suture {
 
 PeriodicTask::PeriodicTask(const PeriodicOptions& options)
-    : ThreadTask(options.scheduling), period_(options.period) {
-  if (options.period <= Duration{0}) {
-    throw SetupError("a periodic task",
-                     "a period of " + std::to_string(options.period.count()) + " ns",
-                     "Give a period greater than zero");
-  }
-}
+    : ThreadTask(options.scheduling),
+      period_(rt::positivePeriod("a periodic task", options.period)) {}
 
 void PeriodicTask::beginCycles() { period_.begin(now()); }
 

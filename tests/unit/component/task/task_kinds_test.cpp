@@ -244,5 +244,31 @@ TEST(GuestTask, NeedsOneHostAndNoConnections) {
   EXPECT_NE(refusal([&] { host.lend(late); }).find("has been started"), std::string::npos);
 }
 
+TEST(EventTask, MaySleepForever) {
+  std::atomic<int> cycles{0};
+  Worker<EventTask> task([&] { ++cycles; }, EventOptions{.longestSleep = Duration::max()});
+  task.start();
+  pass(30ms);
+  task.stop();
+  EXPECT_LE(cycles, 2);
+}
+
+TEST(EventTask, RefusesASleepThatIsNone) {
+  for (const Duration sleep : {Duration{0}, Duration{-1}}) {
+    EXPECT_EQ(refusal([&] { Worker<EventTask>({}, EventOptions{.longestSleep = sleep}); }),
+              "the longest sleep of a task: a period of " + std::to_string(sleep.count()) +
+                  " ns. Give a period greater than zero");
+  }
+}
+
+TEST(PeriodicTask, MayHaveAPeriodThatNeverEnds) {
+  std::atomic<int> cycles{0};
+  Worker<PeriodicTask> task([&] { ++cycles; }, PeriodicOptions{.period = Duration::max()});
+  task.start();
+  pass(30ms);
+  task.stop();
+  EXPECT_EQ(cycles, 0);
+}
+
 }  // namespace
 }  // namespace suture
