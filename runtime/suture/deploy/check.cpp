@@ -7,7 +7,6 @@
 #include <suture/lane/delay/delay_thread.h>
 #include <suture/lane/lane_limits.h>
 #include <suture/manager/lifecycle_interface.h>
-#include <suture/net/address.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/frames.h>
 
