@@ -2,10 +2,15 @@
 
 #include <algorithm>
 
+#include "parameters/valid_time.h"
+
 namespace robots {
 
 Assistant::Assistant(const AssistantParameters& parameters)
     : PeriodicTask({.period = parameters.period}), parameters_(parameters) {
+  requireTimeOrZero("press_after", parameters.press_after);
+  requireTime("release_after", parameters.release_after);
+  requireTime("patience", parameters.patience);
   stop_.on().stop([this](const StopNews& news) { hear(news); });
   console_.on().console_state([this](const ConsoleState& state) {
     wasUp_ = wasUp_ || state == ConsoleState::Up;

@@ -35,6 +35,7 @@ struct SUTURE_TYPE() AssistantParameters {
 /// goes down before it was up; later that is how somebody wants it.
 class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
  public:
+  /// Throws suture::SetupError for a time that is not from 1 ms to a day; press_after may be 0.
   explicit Assistant(const AssistantParameters& parameters);
 
   void run() override;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "parameters/valid_time.h"
+
 namespace robots {
 namespace {
 
@@ -34,6 +36,7 @@ SystemConsole::SystemConsole(const SystemConsoleParameters& parameters)
       parameters_(parameters),
       stopHearing_(stop_),
       byItself_(parameters.bring_up_by_itself) {
+  requireTime("patience", parameters.patience);
   text_.reserve(kLongestText);
   stop_.on().stop([this](const StopNews& news) { released_ = !news.pressed; });
   for (const std::string& name : parameters.system) choose(name);

@@ -36,8 +36,8 @@ struct SUTURE_TYPE() SystemConsoleParameters {
 /// Has four arms, two teleoperations and a guide, which are there if they are named in `system`.
 class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, public Console {
  public:
-  /// Throws suture::SetupError for a part that this console does not know, that is named twice, or
-  /// for an arm behind what moves it.
+  /// Throws suture::SetupError for a part that this console does not know, that is named twice, for
+  /// an arm behind what moves it, or for a patience that is not from 1 ms to a day.
   explicit SystemConsole(const SystemConsoleParameters& parameters);
 
   void bring_up() override;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "parameters/valid_age.h"
+#include "parameters/valid_time.h"
 #include "registration/surgeon_view.h"
 #include "teleop/valid_scale.h"
 #include "timing/seconds.h"
@@ -32,6 +33,7 @@ const GuideParameters& checked(const GuideParameters& parameters) {
   requireAge("sighting_age", parameters.sighting_age);
   requireAge("registration_age", parameters.registration_age);
   requireAge("operator_age", parameters.operator_age);
+  requireTimeOrZero("preparation_limit", parameters.preparation_limit);
   return parameters;
 }
 

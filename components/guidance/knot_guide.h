@@ -77,7 +77,8 @@ struct SUTURE_TYPE() GuideParameters {
 class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
  public:
   /// Throws suture::SetupError for a line of approach without a direction, a scale that is not
-  /// above zero, or an age that is not, or is above a minute.
+  /// above zero, an age that is not, or is above a minute, or a limit of preparation that is
+  /// neither 0 nor from 1 ms to a day.
   explicit KnotGuide(const GuideParameters& parameters);
 
   void enable() override;

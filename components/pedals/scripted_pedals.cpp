@@ -1,5 +1,7 @@
 #include "pedals/scripted_pedals.h"
 
+#include "parameters/valid_time.h"
+
 namespace robots {
 namespace {
 
@@ -10,6 +12,14 @@ bool isNow(suture::Duration since, suture::Duration after, suture::Duration leng
 }
 
 }  // namespace
+
+ScriptedPedals::ScriptedPedals(const ScriptedPedalsParameters& parameters)
+    : PeriodicTask({.period = parameters.period}), parameters_(parameters) {
+  requireTimeOrZero("clutch_after", parameters.clutch_after);
+  requireTime("clutch_for", parameters.clutch_for);
+  requireTimeOrZero("leave_after", parameters.leave_after);
+  requireTime("leave_for", parameters.leave_for);
+}
 
 void ScriptedPedals::onStart() {
   start_ = suture::now();

@@ -30,8 +30,9 @@ class SUTURE_COMPONENT() ScriptedPedals final : public suture::PeriodicTask,
                                                 public FootPedals,
                                                 public OperatorPresence {
  public:
-  explicit ScriptedPedals(const ScriptedPedalsParameters& parameters)
-      : PeriodicTask({.period = parameters.period}), parameters_(parameters) {}
+  /// Throws suture::SetupError for a time that is not from 1 ms to a day; what is `after` the start
+  /// may be 0.
+  explicit ScriptedPedals(const ScriptedPedalsParameters& parameters);
 
   PedalState pedals() const override { return pedals_; }
   Presence presence() const override { return presence_; }

@@ -1,5 +1,7 @@
 #include "person/gamepad.h"
 
+#include "parameters/valid_time.h"
+
 namespace robots {
 
 Gamepad::Gamepad(const GamepadParameters& parameters)
@@ -9,7 +11,9 @@ Gamepad::Gamepad(const GamepadParameters& parameters)
              " is there; press and release its left shoulder before a slave shall follow"),
       gone_("there is no gamepad " + parameters.file + ": the hand rests until it is back"),
       file_(parameters.file),
-      decoder_({parameters.stick, parameters.trigger, parameters.dead_zone}) {}
+      decoder_({parameters.stick, parameters.trigger, parameters.dead_zone}) {
+  requireTime("retry", parameters.retry);
+}
 
 void Gamepad::onStart() {
   pedalPort_.emit().clutch(pedals_.clutch);

@@ -48,7 +48,8 @@ struct SUTURE_TYPE() GamepadParameters {
 /// device does not say how it is when it is opened.
 class SUTURE_COMPONENT() Gamepad final : public suture::PeriodicTask, public FootPedals {
  public:
-  /// Throws suture::SetupError for a range that is empty.
+  /// Throws suture::SetupError for a range that is empty, or a `retry` that is not from 1 ms to a
+  /// day.
   explicit Gamepad(const GamepadParameters& parameters);
 
   PedalState pedals() const override { return pedals_; }

@@ -1,14 +1,23 @@
 #include "person/keyboard.h"
 
+#include "parameters/valid_time.h"
 #include "surgeon/pause.h"
 
 namespace robots {
+namespace {
+
+// A hand must not move on for longer after a key that was released.
+constexpr suture::Duration kLongestHold = std::chrono::seconds(2);
+
+}  // namespace
 
 Keyboard::Keyboard(const KeyboardParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
       held_(master_, teleoperation_, hand_, parameters.opening),
       terminal_(parameters.terminal),
-      keys_({parameters.speed, parameters.turning_speed, parameters.hold}) {}
+      keys_({parameters.speed, parameters.turning_speed, parameters.hold}) {
+  requireTime("hold", parameters.hold, {.longest = kLongestHold});
+}
 
 void Keyboard::onStart() {
   messages_.status(KeyMotion::kHelp);

@@ -30,7 +30,7 @@ struct SUTURE_TYPE() KeyboardParameters {
   /// The gripper is this far open when it is not closed.
   SUTURE_FIELD(unit("rad"), range(0, 1.047)) double opening = 0.5;
   /// The motion ends this long after the last repeat of its key. If the terminal's first repeat
-  /// comes later than this, the hand rests for a moment after the first press.
+  /// comes later than this, the hand rests for a moment after the first press. It is 2 s at most.
   suture::Duration hold = std::chrono::milliseconds(150);
 };
 
@@ -39,7 +39,8 @@ struct SUTURE_TYPE() KeyboardParameters {
 /// an error; from then on its pedals are not fresh, so nobody teleoperates.
 class SUTURE_COMPONENT() Keyboard final : public suture::PeriodicTask, public FootPedals {
  public:
-  /// Throws suture::SetupError if it cannot have the terminal (terminal.h).
+  /// Throws suture::SetupError if it cannot have the terminal (terminal.h), or for a `hold` that is
+  /// not from 1 ms to 2 s.
   explicit Keyboard(const KeyboardParameters& parameters);
 
   PedalState pedals() const override { return pedals_; }

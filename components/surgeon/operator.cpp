@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "arm/fresh_pose.h"
+#include "parameters/valid_age.h"
 #include "registration/surgeon_view.h"
 #include "surgeon/pause.h"
 #include "timing/seconds.h"
@@ -39,6 +40,8 @@ Operator::Operator(const OperatorParameters& parameters)
       left_(*this, "Left", "LeftSlave", parameters_, 0),
       right_(*this, "Right", "RightSlave", parameters_, 1),
       model_(crossoverOf(parameters), parameters.period) {
+  requireAge("picture_age", parameters.picture_age);
+  requireAge("slave_age", parameters.slave_age);
   guidance_.on().guidance_state(
       [this](const GuidanceState& state) { guided_ = state == GuidanceState::Guiding; });
 }

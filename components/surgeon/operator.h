@@ -77,6 +77,7 @@ struct SUTURE_TYPE() OperatorParameters {
 /// it leads it.
 class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
  public:
+  /// Throws suture::SetupError for an age that is not above zero, or is above a minute.
   explicit Operator(const OperatorParameters& parameters);
 
   void run() override;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "parameters/valid_age.h"
+#include "parameters/valid_time.h"
 #include "registration/surgeon_view.h"
 #include "teleop/valid_scale.h"
 
@@ -30,6 +31,7 @@ Teleop::Teleop(const TeleopParameters& parameters)
   requireAge("max_age", parameters.max_age);
   requireAge("operator_age", parameters.operator_age);
   requireAge("registration_age", parameters.registration_age);
+  requireTimeOrZero("preparation_limit", parameters.preparation_limit);
 }
 
 void Teleop::onStart() {

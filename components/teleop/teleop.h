@@ -72,8 +72,8 @@ struct SUTURE_TYPE() TeleopParameters {
 /// a jaw, the jaw follows too (jaw_law.h).
 class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Teleoperation {
  public:
-  /// Throws suture::SetupError for a scale or an age that is not above zero, or an age above a
-  /// minute.
+  /// Throws suture::SetupError for a scale or an age that is not above zero, an age above a minute,
+  /// or a limit that is neither 0 nor from 1 ms to a day.
   explicit Teleop(const TeleopParameters& parameters);
 
   void enable() override;

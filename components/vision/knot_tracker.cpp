@@ -1,5 +1,6 @@
 #include "vision/knot_tracker.h"
 
+#include "parameters/valid_age.h"
 #include "vision/one_thread.h"
 
 namespace robots {
@@ -10,6 +11,7 @@ KnotTracker::KnotTracker(const TrackerParameters& parameters)
       tracks_{Track(*this, "Knot", parameters.acceleration),
               Track(*this, "LeftTip", parameters.acceleration),
               Track(*this, "RightTip", parameters.acceleration)} {
+  requireAge("max_age", parameters.max_age);
   workInOneThread();
 }
 

@@ -33,6 +33,7 @@ struct SUTURE_TYPE() TrackerParameters {
 /// and OpenCV allocates.
 class SUTURE_COMPONENT() KnotTracker final : public suture::PeriodicTask, public KnotVision {
  public:
+  /// Throws suture::SetupError for an age that is not above zero, or is above a minute.
   explicit KnotTracker(const TrackerParameters& parameters);
 
   const KnotSighting& sighting() const override { return sighting_; }

@@ -1,10 +1,15 @@
 #include "vision/synthetic_endoscope.h"
 
+#include "parameters/valid_time.h"
+
 namespace robots {
 namespace {
 
 // The table keeps few pairs, because a row is megabytes and nobody reads an old one.
 constexpr unsigned kPairs = 4;
+
+// The strand keeps no more of its past.
+constexpr suture::Duration kLongestLatency = std::chrono::milliseconds(500);
 
 }  // namespace
 
@@ -14,6 +19,8 @@ SyntheticEndoscope::SyntheticEndoscope(const EndoscopeParameters& parameters)
       painter_(CameraPair{.vergence = parameters.vergence}),
       sensor_(parameters.noise, parameters.blur),
       lost_(parameters.dropout) {
+  requireTime("latency", parameters.latency,
+              {.shortest = suture::Duration{0}, .longest = kLongestLatency});
   images_.keepState({.rows = kPairs});
 }
 

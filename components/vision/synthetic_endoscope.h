@@ -30,8 +30,8 @@ struct SUTURE_TYPE() EndoscopeParameters {
   SUTURE_FIELD(unit("px"), range(0, 3)) double blur = 0.6;
   /// Is the share of the pairs that are lost on their way.
   SUTURE_FIELD(range(0, 1)) double dropout = 0.01;
-  /// Is the time from the exposure until a pair is there; the time that drawing takes is added.
-  /// Beyond what the strand keeps of its past, which is half a second, nothing is seen.
+  /// Is the time from the exposure until a pair is there; the time that drawing takes is added. It
+  /// is half a second at most, because the strand keeps no more of its past.
   suture::Duration latency = std::chrono::milliseconds(10);
   /// Is by how much the right camera is turned toward the left one's axis, which nobody is told.
   SUTURE_FIELD(unit("rad"), range(-0.1, 0.1)) double vergence = 0;
@@ -42,6 +42,7 @@ struct SUTURE_TYPE() EndoscopeParameters {
 class SUTURE_COMPONENT() SyntheticEndoscope final : public suture::PeriodicTask,
                                                     public StereoImages {
  public:
+  /// Throws suture::SetupError for a latency that is not from 0 to half a second.
   explicit SyntheticEndoscope(const EndoscopeParameters& parameters);
 
   const StereoPair& images() const override { return pair_; }

@@ -16,5 +16,5 @@ struct KeyboardParameters @0x8e0f5ddd24393fee $Meta.cxx("robots::KeyboardParamet
   # The gripper is this far open when it is not closed.
   hold @5 :Int64 = 150000000 $Meta.period("1/1000000000");
   # The motion ends this long after the last repeat of its key. If the terminal's first repeat
-  # comes later than this, the hand rests for a moment after the first press.
+  # comes later than this, the hand rests for a moment after the first press. It is 2 s at most.
 }

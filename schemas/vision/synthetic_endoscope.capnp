@@ -20,8 +20,8 @@ struct EndoscopeParameters @0x81c804e92c547797 $Meta.cxx("robots::EndoscopeParam
   dropout @3 :Float64 = 0.01 $Meta.range(lowest = 0, highest = 1);
   # Is the share of the pairs that are lost on their way.
   latency @4 :Int64 = 30000000 $Meta.default("10000000") $Meta.period("1/1000000000");
-  # Is the time from the exposure until a pair is there; the time that drawing takes is added.
-  # Beyond what the strand keeps of its past, which is half a second, nothing is seen.
+  # Is the time from the exposure until a pair is there; the time that drawing takes is added. It
+  # is half a second at most, because the strand keeps no more of its past.
   vergence @5 :Float64 $Meta.range(lowest = -0.1, highest = 0.1) $Meta.unit("rad");
   # Is by how much the right camera is turned toward the left one's axis, which nobody is told.
 }

@@ -1,0 +1,111 @@
+// Components refuse times and bounds that make no sense, and name the parameter.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "assistant/assistant.h"
+#include "console/system_console.h"
+#include "guidance/knot_guide.h"
+#include "pedals/scripted_pedals.h"
+#include "person/gamepad.h"
+#include "person/keyboard.h"
+#include "support/refusal.h"
+#include "surgeon/operator.h"
+#include "teleop/teleop.h"
+#include "unit/person/pseudo_terminal.h"
+#include "vision/knot_tracker.h"
+#include "vision/synthetic_endoscope.h"
+
+namespace robots::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// `make` makes a component whose parameter `name` has the time that it is given.
+template <class Make>
+void expectRefused(const std::string& name, const std::vector<suture::Duration>& times,
+                   const Make& make) {
+  for (const suture::Duration time : times) {
+    const std::string why = suture::refusal([&] { make(time); });
+    EXPECT_NE(why.find('"' + name + '"'), std::string::npos)
+        << name << " of " << time.count() << " ns: '" << why << "'";
+  }
+}
+
+template <class Make>
+void expectAccepted(const std::vector<suture::Duration>& times, const Make& make) {
+  for (const suture::Duration time : times) {
+    EXPECT_EQ(suture::refusal([&] { make(time); }), "") << time.count() << " ns";
+  }
+}
+
+/// The parameter is a time, and without one the component would not wait at all.
+template <class Make>
+void expectTime(const std::string& name, const Make& make) {
+  expectRefused(name, {-1s, 0s, 500us, std::chrono::hours(25)}, make);
+  expectAccepted({1ms, 1s}, make);
+}
+
+/// The parameter is a time, and 0 means something else.
+template <class Make>
+void expectTimeOrZero(const std::string& name, const Make& make) {
+  expectRefused(name, {-1s, 500us, std::chrono::hours(25)}, make);
+  expectAccepted({0s, 1ms, 1s}, make);
+}
+
+template <class Make>
+void expectAge(const std::string& name, const Make& make) {
+  expectRefused(name, {-1s, 0s, 61s}, make);
+  expectAccepted({20ms, 1s}, make);
+}
+
+TEST(Parameters, OfTheAssistant) {
+  expectTime("patience", [](auto time) { Assistant({.patience = time}); });
+  expectTime("release_after", [](auto time) { Assistant({.release_after = time}); });
+  expectTimeOrZero("press_after", [](auto time) { Assistant({.press_after = time}); });
+}
+
+TEST(Parameters, OfTheConsole) {
+  expectTime("patience", [](auto time) { SystemConsole({.system = {}, .patience = time}); });
+}
+
+TEST(Parameters, OfWhatMovesArms) {
+  expectTimeOrZero("preparation_limit", [](auto time) { Teleop({.preparation_limit = time}); });
+  expectTimeOrZero("preparation_limit", [](auto time) { KnotGuide({.preparation_limit = time}); });
+}
+
+TEST(Parameters, OfTheTracker) {
+  expectAge("max_age", [](auto time) { KnotTracker({.max_age = time}); });
+}
+
+TEST(Parameters, OfTheEndoscope) {
+  const auto endoscope = [](auto time) { SyntheticEndoscope({.latency = time}); };
+  expectRefused("latency", {-1ms, 501ms, 30s}, endoscope);
+  expectAccepted({0s, 100us, 500ms}, endoscope);
+}
+
+TEST(Parameters, OfTheOperator) {
+  expectAge("picture_age", [](auto time) { Operator({.picture_age = time}); });
+  expectAge("slave_age", [](auto time) { Operator({.slave_age = time}); });
+}
+
+TEST(Parameters, OfAPersonsDevices) {
+  const PseudoTerminal pty;
+  const auto keyboard = [&](auto time) { Keyboard({.terminal = pty.path(), .hold = time}); };
+  expectRefused("hold", {-1s, 0s, 3s}, keyboard);
+  expectAccepted({1ms, 2s}, keyboard);
+  expectTime("retry", [](auto time) { Gamepad({.retry = time}); });
+}
+
+TEST(Parameters, OfScriptedPedals) {
+  expectTime("clutch_for", [](auto time) { ScriptedPedals({.clutch_for = time}); });
+  expectTime("leave_for", [](auto time) { ScriptedPedals({.leave_for = time}); });
+  expectTimeOrZero("clutch_after", [](auto time) { ScriptedPedals({.clutch_after = time}); });
+  expectTimeOrZero("leave_after", [](auto time) { ScriptedPedals({.leave_after = time}); });
+}
+
+}  // namespace
+}  // namespace robots::test
