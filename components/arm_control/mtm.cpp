@@ -1,6 +1,7 @@
 #include "arm_control/mtm.h"
 
 #include "arm_control/arm_cycle.h"
+#include "arm_control/motion/servo_room.h"
 #include "dynamics/davinci_inertia.h"
 #include "kinematics/davinci.h"
 #include "kinematics/mtm_inverse.h"
@@ -27,6 +28,8 @@ ArmModel<7> model(const MtmParameters& parameters) {
       .servo_horizon = parameters.servo_horizon,
       .inverse = kinematics::mtmInverse,
   };
+  requireRoomForServo<7>(model.joint_names, model.servo_horizon, model.rate_limit,
+                         model.following_error);
   return model;
 }
 

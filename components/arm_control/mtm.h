@@ -28,8 +28,10 @@ struct SUTURE_TYPE() MtmParameters {
   /// can do, so this is our own. The da Vinci Research Kit's moves keep to 0.785 rad/s2, the roll's
   /// to 6.28 (mtsIntuitiveResearchKitMTM.cpp: m_trajectory_j.a_max).
   SUTURE_FIELD(unit("rad/s2"), range(0.1, 1000)) double angular_acceleration = 40;
-  /// A rotating joint that trails its set-point by more than this faults the arm. A servo goal may
-  /// lie 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  /// A rotating joint that trails its set-point by more than this faults the arm. One servo goal
+  /// may lie 0.4 rad ahead of the set-point at these rates (servo_horizon), behind which the joints
+  /// trail by rate x time constant already. Goals that run ahead of the joints by more fault the
+  /// arm, though each is near the one before.
   SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
   /// A joint whose encoder measures a motion of more than this many times what the joint can do
   /// faults the arm.
@@ -38,7 +40,8 @@ struct SUTURE_TYPE() MtmParameters {
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double overload_time = 0.1;
   /// A servo goal may lie as far from the set-point as the joints can move in this time at their
   /// rate limits; one that lies farther is refused. By default this is as long as a stream may be
-  /// silent: what the master does in 0.1 s is far below the rates of the slave.
+  /// silent: what the master does in 0.1 s is far below the rates of the slave. It must be so short
+  /// that this is less than the following error of each joint.
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
   /// At this angle or less the gripper is closed.
   SUTURE_FIELD(unit("rad"), range(-0.2, 1.05)) double gripper_closed = 0;
@@ -50,6 +53,8 @@ struct SUTURE_TYPE() MtmParameters {
 /// drives it through servo_cp, and squeezes its gripper through its drives (drives/gripper_hand.h).
 class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public ArmController<7> {
  public:
+  /// Throws suture::SetupError for a servo horizon in which a joint can move by its following
+  /// error.
   explicit Mtm(const MtmParameters& parameters);
 
   void run() override;

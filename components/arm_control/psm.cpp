@@ -1,6 +1,7 @@
 #include "arm_control/psm.h"
 
 #include "arm_control/arm_cycle.h"
+#include "arm_control/motion/servo_room.h"
 #include "dynamics/davinci_inertia.h"
 #include "kinematics/davinci.h"
 #include "kinematics/psm_inverse.h"
@@ -38,6 +39,8 @@ ArmModel<6> model(const PsmParameters& parameters) {
   model.rate_limit[kInsertion] = parameters.insertion_rate;
   model.acceleration_limit[kInsertion] = parameters.insertion_acceleration;
   model.following_error[kInsertion] = parameters.insertion_following_error;
+  requireRoomForServo<6>(model.joint_names, model.servo_horizon, model.rate_limit,
+                         model.following_error);
   return model;
 }
 

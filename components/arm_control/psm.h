@@ -25,8 +25,10 @@ struct SUTURE_TYPE() PsmParameters {
   /// Is how deep home() inserts the instrument. Cartesian control needs 0.063 m: then the wrist is
   /// 47 mm beyond the remote centre.
   SUTURE_FIELD(unit("m"), range(0, 0.24)) double home_insertion = 0.12;
-  /// A rotating joint that trails its set-point by more than this faults the arm. A servo goal may
-  /// lie 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  /// A rotating joint that trails its set-point by more than this faults the arm. One servo goal
+  /// may lie 0.4 rad ahead of the set-point at these rates (servo_horizon), behind which the joints
+  /// trail by rate x time constant already. Goals that run ahead of the joints by more fault the
+  /// arm, though each is near the one before.
   SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
   /// Is the rate limit of the insertion.
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
@@ -48,7 +50,8 @@ struct SUTURE_TYPE() PsmParameters {
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double overload_time = 0.1;
   /// A servo goal may lie as far from the set-point as the joints can move in this time at their
   /// rate limits; one that lies farther is refused. By default this is as long as a stream may be
-  /// silent: what the master does in 0.1 s is far below the rates of the slave.
+  /// silent: what the master does in 0.1 s is far below the rates of the slave. It must be so short
+  /// that this is less than the following error of each joint.
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
 };
 
@@ -57,6 +60,8 @@ struct SUTURE_TYPE() PsmParameters {
 /// own, in the same cycle.
 class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public ArmController<6> {
  public:
+  /// Throws suture::SetupError for a servo horizon in which a joint can move by its following
+  /// error.
   explicit Psm(const PsmParameters& parameters);
 
   void run() override;

@@ -20,13 +20,16 @@ struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
       $Meta.unit("rad/s");
   followingError @3 :Float64 = 0.8 $Meta.cxx("following_error")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("rad");
-  # A rotating joint that trails its set-point by more than this faults the arm. A servo goal may
-  # lie 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  # A rotating joint that trails its set-point by more than this faults the arm. One servo goal
+  # may lie 0.4 rad ahead of the set-point at these rates (servo_horizon), behind which the joints
+  # trail by rate x time constant already. Goals that run ahead of the joints by more fault the
+  # arm, though each is near the one before.
   servoHorizon @4 :Float64 = 0.1 $Meta.cxx("servo_horizon")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
   # A servo goal may lie as far from the set-point as the joints can move in this time at their
   # rate limits; one that lies farther is refused. By default this is as long as a stream may be
-  # silent: what the master does in 0.1 s is far below the rates of the slave.
+  # silent: what the master does in 0.1 s is far below the rates of the slave. It must be so short
+  # that this is less than the following error of each joint.
   gripperClosed @5 :Float64 $Meta.cxx("gripper_closed") $Meta.range(lowest = -0.2, highest = 1.05)
       $Meta.unit("rad");
   # At this angle or less the gripper is closed.

@@ -13,8 +13,10 @@ struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
   # Is the rate limit of the rotating joints.
   followingError @2 :Float64 = 0.8 $Meta.cxx("following_error")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("rad");
-  # A rotating joint that trails its set-point by more than this faults the arm. A servo goal may
-  # lie 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  # A rotating joint that trails its set-point by more than this faults the arm. One servo goal
+  # may lie 0.4 rad ahead of the set-point at these rates (servo_horizon), behind which the joints
+  # trail by rate x time constant already. Goals that run ahead of the joints by more fault the
+  # arm, though each is near the one before.
   insertionRate @3 :Float64 = 0.4 $Meta.cxx("insertion_rate")
       $Meta.range(lowest = 0.001, highest = 2) $Meta.unit("m/s");
   # Is the rate limit of the insertion.
@@ -25,7 +27,8 @@ struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
   # A servo goal may lie as far from the set-point as the joints can move in this time at their
   # rate limits; one that lies farther is refused. By default this is as long as a stream may be
-  # silent: what the master does in 0.1 s is far below the rates of the slave.
+  # silent: what the master does in 0.1 s is far below the rates of the slave. It must be so short
+  # that this is less than the following error of each joint.
   jawRate @6 :Float64 = 12.566 $Meta.cxx("jaw_rate") $Meta.range(lowest = 0.01, highest = 50)
       $Meta.unit("rad/s");
   # Is the rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.

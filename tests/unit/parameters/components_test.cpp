@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "arm_control/mtm.h"
+#include "arm_control/psm.h"
 #include "assistant/assistant.h"
 #include "console/system_console.h"
 #include "guidance/knot_guide.h"
@@ -105,6 +107,26 @@ TEST(Parameters, OfScriptedPedals) {
   expectTime("leave_for", [](auto time) { ScriptedPedals({.leave_for = time}); });
   expectTimeOrZero("clutch_after", [](auto time) { ScriptedPedals({.clutch_after = time}); });
   expectTimeOrZero("leave_after", [](auto time) { ScriptedPedals({.leave_after = time}); });
+}
+
+/// One goal that the horizon lets through must not put the arm in FAULT.
+TEST(Parameters, OfArmsLeaveRoomForAServoGoal) {
+  const auto psm = [](const PsmParameters& parameters) {
+    return suture::refusal([&] { Psm{parameters}; });
+  };
+  const auto mtm = [](const MtmParameters& parameters) {
+    return suture::refusal([&] { Mtm{parameters}; });
+  };
+  EXPECT_EQ(psm({}) + mtm({}), "");
+  EXPECT_EQ(psm({.angular_rate = 10}),
+            "an arm whose joint \"yaw\" moves as far as it can in a \"servo_horizon\" of 0.100000 "
+            "s: that is 1.000000, and the arm is in FAULT if the joint trails by 0.800000. Lower "
+            "\"servo_horizon\" or the joint's rate, or raise its following error");
+  EXPECT_NE(psm({.servo_horizon = 0.3}), "");
+  EXPECT_NE(psm({.insertion_rate = 1}).find("\"insertion\""), std::string::npos);
+  EXPECT_NE(mtm({.angular_rate = 8}), "") << "it trails by more than it is sent ahead";
+  EXPECT_EQ(psm({.angular_rate = 10, .following_error = 1.2}), "");
+  EXPECT_EQ(mtm({.angular_rate = 10, .servo_horizon = 0.05}), "");
 }
 
 }  // namespace
