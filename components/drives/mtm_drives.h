@@ -30,8 +30,8 @@ struct SUTURE_TYPE() MtmDrivesParameters {
   SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
   /// Is how fast the joints can be.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
-  /// Is how old the permit of the emergency stop may be. With 0, power needs none, as on a bench
-  /// where nobody can be hurt.
+  /// Is how old the permit of the emergency stop may be: from 1 ms to 1 s. With 0, power needs
+  /// none, as on a bench where nobody can be hurt; a stop that is connected still takes it.
   suture::Duration permit = std::chrono::milliseconds(30);
   /// Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
   /// `time_constant` does not count.

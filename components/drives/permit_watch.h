@@ -5,9 +5,11 @@
 #include <suture/base/time.h>
 #include <suture/component/required.h>
 
+#include <chrono>
 #include <utility>
 
 #include "coordinator/emergency_stop.suture.h"
+#include "parameters/valid_time.h"
 #include "timing/cycle_watch.h"
 
 namespace robots {
@@ -16,9 +18,11 @@ namespace robots {
 /// member declared after that interface. Follows the emergency stop behind it.
 class PermitWatch {
  public:
-  /// A permit counts for `maxAge`; with 0, power needs none.
+  /// A permit counts for `maxAge`; with 0, power needs none, and only a stop that is pressed takes
+  /// it. Throws suture::SetupError unless it is that or from 1 ms to 1 s.
   PermitWatch(suture::Required<EmergencyStop>& stop, suture::Duration maxAge)
       : stop_(stop), maxAge_(maxAge) {
+    requireTimeOrZero("permit", maxAge, {.longest = std::chrono::seconds(1)});
     stop_.on().stop([this](const StopNews& news) {
       pressed_ = news.pressed;
       wasPressed_ = wasPressed_ || news.pressed;
@@ -31,9 +35,9 @@ class PermitWatch {
   /// and the permit are each enough to stop, whichever comes first. Drives that stood still
   /// themselves for longer than a permit counts were without one meanwhile.
   bool granted() {
-    if (maxAge_ == suture::Duration{0}) return true;
-    const bool looked = !cycles_.missed(maxAge_);
     const bool pressed = std::exchange(wasPressed_, pressed_);
+    if (maxAge_ == suture::Duration{0}) return !pressed;
+    const bool looked = !cycles_.missed(maxAge_);
     return looked && !pressed && isFresh(stop_.permit());
   }
 

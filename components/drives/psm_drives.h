@@ -27,8 +27,8 @@ struct SUTURE_TYPE() PsmDrivesParameters {
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
   /// Is how fast the jaw can be; by default that of the da Vinci Research Kit's teleoperation.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
-  /// Is how old the permit of the emergency stop may be. With 0, power needs none, as on a bench
-  /// where nobody can be hurt.
+  /// Is how old the permit of the emergency stop may be: from 1 ms to 1 s. With 0, power needs
+  /// none, as on a bench where nobody can be hurt; a stop that is connected still takes it.
   suture::Duration permit = std::chrono::milliseconds(30);
   /// Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
   /// `time_constant` does not count.

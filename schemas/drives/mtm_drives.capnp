@@ -25,8 +25,8 @@ struct MtmDrivesParameters @0xe72c8047229da521 $Meta.cxx("robots::MtmDrivesParam
       $Meta.unit("rad/s");
   # Is how fast the joints can be.
   permit @4 :Int64 = 30000000 $Meta.period("1/1000000000");
-  # Is how old the permit of the emergency stop may be. With 0, power needs none, as on a bench
-  # where nobody can be hurt.
+  # Is how old the permit of the emergency stop may be: from 1 ms to 1 s. With 0, power needs
+  # none, as on a bench where nobody can be hurt; a stop that is connected still takes it.
   dynamics @5 :DriveDynamics.DriveDynamics;
   # Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
   # `time_constant` does not count.

@@ -19,8 +19,8 @@ struct PsmDrivesParameters @0x85a1d19046bdb4e7 $Meta.cxx("robots::PsmDrivesParam
       $Meta.range(lowest = 0.001, highest = 2) $Meta.unit("m/s");
   # Is how fast the insertion can be.
   permit @4 :Int64 = 30000000 $Meta.period("1/1000000000");
-  # Is how old the permit of the emergency stop may be. With 0, power needs none, as on a bench
-  # where nobody can be hurt.
+  # Is how old the permit of the emergency stop may be: from 1 ms to 1 s. With 0, power needs
+  # none, as on a bench where nobody can be hurt; a stop that is connected still takes it.
   dynamics @5 :DriveDynamics.DriveDynamics;
   # Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
   # `time_constant` does not count.

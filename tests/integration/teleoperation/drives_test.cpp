@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "arm/arm_warning.h"
+#include "coordinator/coordinator.h"
 #include "integration/teleoperation/scene/driven_arm.h"
 #include "support/pass.h"
 #include "support/stepped.h"
@@ -28,12 +29,14 @@ class DrivenArmTest : public testing::Test {
       });
     }
     suture::Required<Arm> arm{*this, "Arm"};
+    suture::Required<EmergencyStop> button{*this, "Stop"};
     std::vector<ArmWarning> codes;
   };
 
   DrivenArmTest() {
     psm_.drives.restartAfterFaults({.most = 1, .per = 24h});
     psm_.addTo(manager_, "PSM");
+    manager_.add("Coordinator", coordinator_);
     manager_.add("Panel", panel_);
     manager_.connect("Panel/Arm", "PSM/Arm");
     manager_.start();
@@ -56,6 +59,7 @@ class DrivenArmTest : public testing::Test {
     EXPECT_TRUE(panel_.arm.move_jp(goal));
   }
 
+  Coordinator coordinator_{CoordinatorParameters{}};
   DrivenPsm psm_;
   Panel panel_;
   suture::Manager manager_{"robot"};
@@ -103,6 +107,25 @@ TEST_F(DrivenArmTest, IsInFaultWhenItsDrivesHang) {
   EXPECT_EQ(state(), ArmState::Fault);
   panel_.processEvents();
   EXPECT_EQ(panel_.codes, std::vector{ArmWarning::DrivesSilent});
+}
+
+TEST_F(DrivenArmTest, StopsWhenTheStopIsPressedThoughItNeedsNoPermit) {
+  manager_.connect("PSMDrives/Stop", "Coordinator/Stop");
+  EXPECT_TRUE(becomes(ArmState::Disabled)) << "the coordinator starts pressed";
+  EXPECT_EQ(psm_.drives.feedback().power, DrivePower::Stopped);
+  manager_.connect("Panel/Stop", "Coordinator/Stop");
+  EXPECT_TRUE(panel_.button.release());
+  pass(50ms);
+  EXPECT_EQ(psm_.drives.feedback().power, DrivePower::Off) << "an arm has to be enabled";
+  EXPECT_TRUE(panel_.arm.enable());
+  EXPECT_TRUE(becomes(ArmState::Enabled));
+  manager_.suspend("Coordinator");
+  pass(1s);
+  EXPECT_EQ(state(), ArmState::Enabled) << "it needs no permit";
+  manager_.resume("Coordinator");
+  EXPECT_TRUE(panel_.button.press());
+  EXPECT_TRUE(becomes(ArmState::Disabled));
+  EXPECT_EQ(psm_.drives.feedback().power, DrivePower::Stopped);
 }
 
 /// It cannot tell, for it did not look.

@@ -10,6 +10,8 @@
 #include "arm_control/psm.h"
 #include "assistant/assistant.h"
 #include "console/system_console.h"
+#include "drives/mtm_drives.h"
+#include "drives/psm_drives.h"
 #include "guidance/knot_guide.h"
 #include "pedals/scripted_pedals.h"
 #include "person/gamepad.h"
@@ -107,6 +109,17 @@ TEST(Parameters, OfScriptedPedals) {
   expectTime("leave_for", [](auto time) { ScriptedPedals({.leave_for = time}); });
   expectTimeOrZero("clutch_after", [](auto time) { ScriptedPedals({.clutch_after = time}); });
   expectTimeOrZero("leave_after", [](auto time) { ScriptedPedals({.leave_after = time}); });
+}
+
+TEST(Parameters, OfDrives) {
+  const auto psm = [](auto time) { PsmDrives({.permit = time}); };
+  const auto mtm = [](auto time) { MtmDrives({.permit = time}); };
+  expectRefused("permit", {-1s, 500us, 1001ms}, psm);
+  expectRefused("permit", {-1s, 500us, 1001ms}, mtm);
+  expectAccepted({0s, 1ms, 30ms, 1s}, psm);
+  EXPECT_EQ(suture::refusal([&] { psm(2s); }),
+            "a time \"permit\" of 2 s: it may be from 0.001 s to 1 s long. Set it to so many "
+            "seconds, e.g. 0.25");
 }
 
 /// One goal that the horizon lets through must not put the arm in FAULT.
