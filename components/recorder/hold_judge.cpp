@@ -13,7 +13,8 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;  // rad
 constexpr double kStill = 1e-9;                     // m
 constexpr double kUnturned = 1e-6;                  // rad
-constexpr double kSoon = 0.5;                       // s
+constexpr double kLongestRest = 0.5;                // s, of an arm that moves
+constexpr double kJumpTime = 0.05;                  // s: what is slower is no jump
 constexpr double kLargestJump = 0.003;              // m
 constexpr double kLargestTurn = 3 * kDegree;        // rad
 constexpr double kFastest = 0.25;                   // m/s, of a fast hand
@@ -26,26 +27,43 @@ double longestMotion(const ArmRow& before, const ArmRow& after) {
   return std::min(secondsBetween(before.stamp, after.stamp), kLongest);
 }
 
+double stepBetween(const ArmRow& before, const ArmRow& after) {
+  return (after.setpoint.translation() - before.setpoint.translation()).norm();
+}
+
 double turnBetween(const ArmRow& before, const ArmRow& after) {
   return Eigen::AngleAxisd(before.setpoint.linear().transpose() * after.setpoint.linear()).angle();
+}
+
+/// Compares row `last` with the one before it, and with the earlier ones from `first` on of the
+/// same window: a jump may come in pieces.
+void findJumps(const std::vector<ArmRow>& rows, std::size_t first, std::size_t last,
+               HoldJudgement& judgement) {
+  double time = 0;
+  for (std::size_t i = last; i-- > first && time < kJumpTime;) {
+    time += longestMotion(rows[i], rows[i + 1]);
+    judgement.largest_jump =
+        std::max(judgement.largest_jump, stepBetween(rows[i], rows[last]) - kFastest * time);
+    judgement.largest_turn =
+        std::max(judgement.largest_turn, turnBetween(rows[i], rows[last]) - kFastestTurn * time);
+  }
 }
 
 }  // namespace
 
 HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, suture::Time mended) {
   HoldJudgement judgement;
+  std::size_t lastBefore = 0;  // the break
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const double step =
-        (rows[i].setpoint.translation() - rows[i - 1].setpoint.translation()).norm();
+    if (rows[i].stamp < broken) lastBefore = i;
+    const double step = stepBetween(rows[i - 1], rows[i]);
     const double turn = turnBetween(rows[i - 1], rows[i]);
     if (step <= kStill && turn <= kUnturned) continue;
     if (rows[i].stamp < broken) {
       judgement.rested_before = secondsBetween(rows[i].stamp, broken);
       continue;
     }
-    const double time = longestMotion(rows[i - 1], rows[i]);
-    judgement.largest_jump = std::max(judgement.largest_jump, step - kFastest * time);
-    judgement.largest_turn = std::max(judgement.largest_turn, turn - kFastestTurn * time);
+    findJumps(rows, lastBefore, i, judgement);
     if (rows[i].stamp < mended) {
       judgement.held_after = secondsBetween(broken, rows[i].stamp);
     } else if (!judgement.resumed_after) {
@@ -55,14 +73,14 @@ HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, su
   return judgement;
 }
 
-std::vector<std::string> violations(const HoldJudgement& judgement) {
+std::vector<std::string> violations(const HoldJudgement& judgement, const HoldBounds& bounds) {
   std::vector<std::string> found;
-  if (!judgement.rested_before || *judgement.rested_before > kSoon) {
+  if (!judgement.rested_before || *judgement.rested_before > kLongestRest) {
     found.push_back("it stood still before, so nobody can tell whether it held");
   }
-  if (judgement.held_after > kSoon) {
+  if (judgement.held_after > bounds.held_after) {
     found.push_back(sentence("it moved until %.0f ms after that, at most %.0f ms allowed",
-                             1e3 * judgement.held_after, 1e3 * kSoon));
+                             1e3 * judgement.held_after, 1e3 * bounds.held_after));
   }
   if (!judgement.resumed_after) found.push_back("it never moved again");
   if (judgement.largest_jump > kLargestJump) {

@@ -55,6 +55,14 @@ TEST(HoldJudge, FindsAnArmThatWentOn) {
   EXPECT_EQ(found[0], "it moved until 999 ms after that, at most 500 ms allowed");
 }
 
+TEST(HoldJudge, FindsAnArmThatAStopEndsTooLate) {
+  const auto rows = armThatHolds(kBroken + 450ms, kMended);
+  EXPECT_TRUE(violations(judgeHold(rows, kBroken, kMended)).empty());
+  const auto found = violations(judgeHold(rows, kBroken, kMended), {.held_after = 0.08});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], "it moved until 449 ms after that, at most 80 ms allowed");
+}
+
 TEST(HoldJudge, FindsAnArmThatStoodStillBefore) {
   const auto rows = armThatMoves(
       [](suture::Time time) { return time < kBroken - 600ms || time >= kMended ? 1e-4 : 0; });
@@ -78,6 +86,16 @@ TEST(HoldJudge, FindsAnArmThatCatchesUpAtOnce) {
   const auto found = violations(judgeHold(rows, kBroken, kMended));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0], "its set-point jumped by 100.0 mm, at most 3.0 mm allowed");
+}
+
+TEST(HoldJudge, FindsAnArmThatJumpsInPieces) {
+  const auto rows = armThatMoves([](suture::Time time) {
+    if (time >= kMended + 10ms && time < kMended + 30ms) return 0.0029;
+    return time >= kBroken && time < kMended + 10ms ? 0 : 1e-4;
+  });
+  const auto found = violations(judgeHold(rows, kBroken, kMended));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], "its set-point jumped by 53.0 mm, at most 3.0 mm allowed");
 }
 
 /// Returns an arm that stands still, but turns by `step` in the cycle at that time.
@@ -106,6 +124,16 @@ TEST(HoldJudge, FindsAnArmThatTurnsAtOnce) {
   const auto found = violations(judgeHold(rows, kBroken, kMended));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0], "its set-point turned by 19.9 deg at once, at most 3.0 deg allowed");
+}
+
+TEST(HoldJudge, FindsAnArmThatTurnsInPieces) {
+  const auto rows = armThatTurns([](suture::Time time) {
+    if (time >= kMended + 10ms && time < kMended + 30ms) return 0.05;
+    return time >= kBroken && time < kMended + 10ms ? 0 : 1e-3;
+  });
+  const auto found = violations(judgeHold(rows, kBroken, kMended));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], "its set-point turned by 53.9 deg at once, at most 3.0 deg allowed");
 }
 
 }  // namespace
