@@ -46,11 +46,12 @@ class Demo:
         output, _ = self.process.communicate(timeout=PATIENCE)
         return self.process.returncode, output
 
-    def await_progress(self):
-        """Reads up to the first line of progress: everything is connected and runs."""
+    def await_progress(self, seconds=0):
+        """Reads up to the first line of progress after that time: everything is connected and runs."""
         lines = []
         for line in self.process.stdout:
-            if re.match(r" *\d+ s ", line):
+            ran = re.match(r" *(\d+\.\d) s ", line)
+            if ran and float(ran[1]) >= seconds:
                 return
             lines.append(line)
         raise AssertionError("the demo ended before its first line of progress:\n" + "".join(lines))
