@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "timing/seconds.h"
 
@@ -18,6 +19,8 @@ using suture::Time;
 constexpr double kLongestGap = 0.05;  // s
 // Is how much later than the row of its stamp a record may be written.
 constexpr auto kPatience = std::chrono::milliseconds(200);
+// Is for how long a slave that gets no new goal is still thought to follow.
+constexpr auto kLongestWithoutGoal = std::chrono::milliseconds(50);
 // The law's speed is measured over twice this; over one cycle it would be the noise of the
 // encoders.
 constexpr auto kHalfBase = std::chrono::milliseconds(10);
@@ -81,7 +84,14 @@ std::optional<Judge::Pose> Judge::targetAt(Time stamp) const {
   return law(*std::prev(next), *pose);
 }
 
+/// Returns false if the slave has got no new goal for a while.
+bool Judge::getsGoals(const ArmRow& row) {
+  if (std::exchange(goal_, row.goal_stamp) != row.goal_stamp) gotGoal_ = row.stamp;
+  return row.stamp - gotGoal_ <= kLongestWithoutGoal;
+}
+
 void Judge::addMaster(const std::vector<ArmRow>& rows) {
+  if (!rows.empty()) recordedUntil_ = std::max(recordedUntil_, rows.back().stamp);
   master_.insert(master_.end(), rows.begin(), rows.end());
 }
 
@@ -90,6 +100,7 @@ void Judge::addFollowed(const std::vector<FollowAnchors>& followed) {
 }
 
 void Judge::addSlave(const std::vector<ArmRow>& rows) {
+  if (!rows.empty()) recordedUntil_ = std::max(recordedUntil_, rows.back().stamp);
   waiting_.insert(waiting_.end(), rows.begin(), rows.end());
 }
 
@@ -110,13 +121,15 @@ void Judge::forgetMasterBefore(Time stamp) {
 }
 
 void Judge::judge(const ArmRow& row) {
-  if (!isFollowing(row)) return expected_.reset();
+  const bool getsGoals = this->getsGoals(row), isFollowing = this->isFollowing(row);
+  followedTime_.add(row.stamp, getsGoals && isFollowing);
+  if (!isFollowing) return expected_.reset();
   const Pose measured = toPose(row.measured);
   if (!expected_) {
     expected_ = measured;
-    target_.reset();
+    targets_.clear();
     if (!start_) start_ = measured.p;
-  } else if (target_) {
+  } else if (!targets_.empty()) {
     follow(row, measured);
   }
   travel_ = std::max(travel_, (measured.p - *start_).norm());
@@ -125,17 +138,41 @@ void Judge::judge(const ArmRow& row) {
 }
 
 void Judge::follow(const ArmRow& row, const Pose& measured) {
-  const double seconds = secondsBetween(last_, row.stamp);
-  const double share = timeConstant_ > 0 ? 1 - std::exp(-seconds / timeConstant_) : 1;
-  expected_ = blend(*expected_, *target_, share);
+  moveExpected(row.stamp);
   position_.push_back((measured.p - expected_->p).norm());
   orientation_.push_back(measured.q.angularDistance(expected_->q));
-  // A pose that goes this share of the way to its goal in each cycle is this far behind an even
+  const Acting& target = targets_.front();
+  const double acted = secondsBetween(target.since, row.stamp);
+  if (!target.isNew || acted <= 0) return;
+  // A pose that goes a share of the way to its goal in each cycle is that far behind an even
   // motion.
-  const double behind = seconds / share;
-  if (isNewTarget_) {
-    compareAtEqualTime(row, measured, secondsBetween(targetStamp_, last_) + behind);
+  const double behind = acted / shareIn(acted);
+  compareAtEqualTime(row, measured, secondsBetween(target.stamp, target.since) + behind);
+}
+
+/// Returns which share of its way to the target a slave goes in that time.
+double Judge::shareIn(double seconds) const {
+  return lag_.time_constant > 0 ? 1 - std::exp(-seconds / lag_.time_constant) : 1;
+}
+
+/// Moves where the slave should be on from its last cycle to one at `until`, through the targets
+/// that acted meanwhile. Drives begin to act on a target in one of their cycles, which are not
+/// quite a period apart.
+void Judge::moveExpected(Time until) {
+  for (Acting& target : targets_) {
+    if (std::abs(secondsBetween(target.since, until)) <= lag_.delay / 2) target.since = until;
   }
+  Time from = last_;
+  while (targets_.size() > 1 && targets_[1].since < until) {
+    const Time next = std::max(from, targets_[1].since);
+    approach(targets_.front().target, secondsBetween(std::exchange(from, next), next));
+    targets_.pop_front();
+  }
+  approach(targets_.front().target, secondsBetween(from, until));
+}
+
+void Judge::approach(const Pose& target, double seconds) {
+  if (seconds > 0) expected_ = blend(*expected_, target, shareIn(seconds));
 }
 
 void Judge::compareAtEqualTime(const ArmRow& row, const Pose& measured, double latency) {
@@ -149,22 +186,25 @@ void Judge::compareAtEqualTime(const ArmRow& row, const Pose& measured, double l
 }
 
 void Judge::retarget(const ArmRow& row) {
-  isNewTarget_ = row.goal_stamp > targetStamp_;
+  const bool isNew = row.goal_stamp > targetStamp_;
   targetStamp_ = row.goal_stamp;
-  if (const auto next = targetAt(row.goal_stamp)) {
-    target_ = next;
+  if (const auto target = targetAt(row.goal_stamp)) {
+    const auto delay = std::chrono::duration<double>(lag_.delay);
+    const Time since = row.stamp + std::chrono::duration_cast<suture::Duration>(delay);
+    targets_.push_back({since, row.goal_stamp, *target, isNew});
   } else {
     ++unmatched_;
   }
 }
 
-ErrorSummary Judge::recentPosition() {
+std::optional<ErrorSummary> Judge::recentPosition() {
   const auto from = position_.begin() + static_cast<std::ptrdiff_t>(reported_);
   reported_ = position_.size();
+  if (from == position_.end()) return std::nullopt;
   return summarise({from, position_.end()});
 }
 
-Judgement Judge::finish() {
+Judgement Judge::finish(const Duty& duty) {
   for (const ArmRow& row : waiting_) judge(row);
   waiting_.clear();
   return {.position = summarise(position_),
@@ -172,13 +212,14 @@ Judgement Judge::finish() {
           .equal_time = summarise(equalTime_),
           .speed_times_latency = summarise(speedTimesLatency_).mean,
           .travel = travel_,
+          .followed = followedTime_.until(duty.end.value_or(recordedUntil_), duty.excused),
           .compared = position_.size(),
           .unmatched = unmatched_};
 }
 
 Judgement judge(const std::vector<ArmRow>& master, const std::vector<FollowAnchors>& followed,
-                const std::vector<ArmRow>& slave, double timeConstant) {
-  Judge judge(timeConstant);
+                const std::vector<ArmRow>& slave, const DeclaredLag& lag) {
+  Judge judge(lag);
   judge.addMaster(master);
   judge.addFollowed(followed);
   judge.addSlave(slave);
@@ -188,7 +229,15 @@ Judgement judge(const std::vector<ArmRow>& master, const std::vector<FollowAncho
 std::vector<std::string> violations(const Judgement& judgement, const JudgementBounds& bounds) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   std::vector<std::string> found;
-  if (judgement.compared == 0) found.push_back("the slave never followed");
+  if (judgement.compared == 0) {
+    found.push_back("the slave never followed");
+  } else if (const FollowedShare& followed = judgement.followed; followed.share < bounds.followed) {
+    found.push_back(
+        sentence("the slave followed for %.0f %% of the time, at least %.0f %% required: ",
+                 100 * followed.share, 100 * bounds.followed) +
+        sentence("not from %.1f to %.1f s after it began", followed.missing_from,
+                 followed.missing_until));
+  }
   if (judgement.position.p99 > bounds.position) {
     found.push_back(sentence("position error %.3f mm at p99, at most %.3f mm allowed",
                              1e3 * judgement.position.p99, 1e3 * bounds.position));

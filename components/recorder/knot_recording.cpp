@@ -70,10 +70,12 @@ void write(std::ostream& out, const KnotRow& row) {
       << '\n';
 }
 
-std::vector<KnotRow> readKnotRecording(const std::filesystem::path& file) {
-  std::vector<KnotRow> rows;
-  RecordingLines(file).rest([&](const Json& json) { rows.push_back(toRow(json)); });
-  return rows;
+KnotRecording readKnotRecording(const std::filesystem::path& file) {
+  KnotRecording recording;
+  RecordingLines lines(file);
+  lines.rest([&](const Json& json) { recording.rows.push_back(toRow(json)); });
+  recording.lost = lines.lost();
+  return recording;
 }
 
 }  // namespace robots

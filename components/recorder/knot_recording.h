@@ -2,6 +2,7 @@
 // This records how a knot was placed: the truth, what the cameras saw, and if it was guided.
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <vector>
@@ -26,8 +27,13 @@ struct KnotRow {
 /// Writes one row, whose strand is valid, as one line of JSON. Stamps are ns of the steady clock.
 void write(std::ostream& out, const KnotRow& row);
 
+struct KnotRecording {
+  std::vector<KnotRow> rows;  ///< by ascending stamp
+  std::uint64_t lost = 0;     ///< rows that the file did not take
+};
+
 /// Returns a whole recording, which must not be written any more. Throws suture::SetupError that
 /// names the file and the line.
-std::vector<KnotRow> readKnotRecording(const std::filesystem::path& file);
+KnotRecording readKnotRecording(const std::filesystem::path& file);
 
 }  // namespace robots

@@ -43,6 +43,7 @@ class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
 
  private:
   void keep(const Record& record);
+  void hear(TeleopState state);
 
   RecordingWriter<Record> writer_;
   suture::Required<Arm> arm_{*this, "Arm"};
@@ -50,6 +51,7 @@ class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
   SUTURE_REQUIRED(optional()) suture::Required<EmergencyStop> stop_{*this, "Stop"};
   suture::Time last_;
   bool enabled_ = false;
+  bool clutched_ = false;
 };
 
 }  // namespace robots

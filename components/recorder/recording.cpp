@@ -45,6 +45,10 @@ Json toJson(const FollowAnchors& anchors) {
           {"translation_locked", anchors.translation_locked}};
 }
 
+Json toJson(const ClutchNews& news) {
+  return {{"clutched", news.pressed}, {"stamp", suture::toNanoseconds(news.stamp)}};
+}
+
 Json toJson(const StopNews& news) {
   return {{"pressed", news.pressed}, {"stamp", suture::toNanoseconds(news.stamp)}};
 }
@@ -63,6 +67,8 @@ FollowAnchors toAnchors(const Json& json) {
 void add(Recording& recording, const Json& json) {
   if (json.contains("followed")) {
     recording.followed.push_back(toAnchors(json));
+  } else if (json.contains("clutched")) {
+    recording.clutch.push_back({json.at("clutched").get<bool>(), stampOf(json.at("stamp"))});
   } else if (json.contains("pressed")) {
     recording.stops.push_back({json.at("pressed").get<bool>(), stampOf(json.at("stamp"))});
   } else {
@@ -81,12 +87,14 @@ void write(std::ostream& out, const Record& record) {
 Recording RecordingReader::next() {
   Recording recording;
   lines_.next([&](const Json& json) { add(recording, json); });
+  recording.lost = lines_.lost();
   return recording;
 }
 
 Recording RecordingReader::rest() {
   Recording recording;
   lines_.rest([&](const Json& json) { add(recording, json); });
+  recording.lost = lines_.lost();
   return recording;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 // A recording holds one arm's poses during a run, the moments when a teleoperation began to follow,
-// and those when an emergency stop was pressed or released.
+// and those when a clutch or an emergency stop was pressed or released.
 
 #include <suture/base/time.h>
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <utility>
@@ -26,12 +27,20 @@ struct ArmRow {
   bool enabled = true;  ///< it obeys motion commands
 };
 
-using Record = std::variant<ArmRow, FollowAnchors, StopNews>;
+/// Says that the clutch of a teleoperation was pressed, or that it was released or counts no more.
+struct ClutchNews {
+  bool pressed = false;
+  suture::Time stamp;  ///< when the recorder heard of it
+};
+
+using Record = std::variant<ArmRow, FollowAnchors, ClutchNews, StopNews>;
 
 struct Recording {
   std::vector<ArmRow> arm;              ///< by ascending stamp
   std::vector<FollowAnchors> followed;  ///< in the order of events
+  std::vector<ClutchNews> clutch;       ///< likewise
   std::vector<StopNews> stops;          ///< likewise
+  std::uint64_t lost = 0;               ///< records that are not in the file, by what was read
 };
 
 /// Writes one record as one line of JSON. Stamps are ns of the steady clock, quaternions w, x, y,

@@ -3,8 +3,18 @@
 #include <suture/base/errors.h>
 
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 namespace robots {
+namespace {
+
+constexpr const char* kLost = "lost";
+
+}  // namespace
+
+void writeLost(std::ostream& out, std::uint64_t count) {
+  out << nlohmann::json{{kLost, count}} << '\n';
+}
 
 void RecordingLines::next(const Take& take) {
   if (!in_.is_open()) in_.open(file_);
@@ -29,7 +39,12 @@ void RecordingLines::rest(const Take& take) {
 void RecordingLines::parse(const Take& take) {
   ++lines_;
   try {
-    take(nlohmann::json::parse(unfinished_));
+    const auto line = nlohmann::json::parse(unfinished_);
+    if (line.contains(kLost)) {
+      lost_ = line.at(kLost).get<std::uint64_t>();
+    } else {
+      take(line);
+    }
   } catch (const nlohmann::json::exception& error) {
     throw suture::SetupError(
         "reading the recording " + file_.string() + ":" + std::to_string(lines_), error.what(),

@@ -2,14 +2,19 @@
 // This reads the lines of a recording from its file, whatever they hold.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iosfwd>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 
 namespace robots {
+
+/// Writes a line that says how many records are not in the file until there.
+void writeLost(std::ostream& out, std::uint64_t count);
 
 /// One thread. Reads the lines of JSON that a RecordingWriter writes, even while it does.
 class RecordingLines {
@@ -24,6 +29,8 @@ class RecordingLines {
   /// Reads the rest, once the file is not written any more. Also throws if the file was never
   /// there, or ends within a line.
   void rest(const Take& take);
+  /// Returns how many records are not in the file, by what has been read.
+  std::uint64_t lost() const { return lost_; }
 
  private:
   void parse(const Take& take);
@@ -32,6 +39,7 @@ class RecordingLines {
   std::ifstream in_;
   std::string unfinished_;  // a line without its end
   std::size_t lines_ = 0;
+  std::uint64_t lost_ = 0;
 };
 
 }  // namespace robots

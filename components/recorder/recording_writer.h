@@ -13,13 +13,15 @@
 #include <utility>
 #include <vector>
 
+#include "recorder/recording_lines.h"
+
 namespace robots {
 
 /// Has a ring that a task fills, and a task of its own that writes it to the file, twenty times a
 /// second. The destructor writes what is left. A start that is refused leaves an earlier recording:
-/// call open() when the owner is configured, and begin() when it starts. A row must have a
-/// function write(std::ostream&, row) in its own namespace, and must be copied without an
-/// allocation.
+/// call open() when the owner is configured, and begin() when it starts. Rows that are lost are
+/// told in the file as soon as that takes anything. A row must have a function write(std::ostream&,
+/// row) in its own namespace, and must be copied without an allocation.
 template <class Row>
 class RecordingWriter final : private suture::PeriodicTask {
  public:
@@ -71,7 +73,13 @@ class RecordingWriter final : private suture::PeriodicTask {
       write(lines, ring_[written % ring_.size()]);
       written_.store(++written, std::memory_order_release);
     }
-    if (!file_.append(lines.str())) lost_.fetch_add(written - before, std::memory_order_relaxed);
+    const std::uint64_t lost = this->lost();
+    if (lost != told_) writeLost(lines, lost);
+    if (file_.append(lines.str())) {
+      told_ = lost;
+    } else {
+      lost_.fetch_add(written - before, std::memory_order_relaxed);
+    }
   }
 
   suture::LineFile file_;
@@ -82,6 +90,7 @@ class RecordingWriter final : private suture::PeriodicTask {
   std::atomic<std::size_t> written_{0};
   std::atomic<bool> begun_{false};
   std::atomic<std::uint64_t> lost_{0};
+  std::uint64_t told_ = 0;  // by the file
 };
 
 }  // namespace robots

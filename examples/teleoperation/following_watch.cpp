@@ -1,5 +1,7 @@
 #include "following_watch.h"
 
+#include <utility>
+
 namespace demo {
 
 FollowingWatch::FollowingWatch(const Following& following)
@@ -7,21 +9,36 @@ FollowingWatch::FollowingWatch(const Following& following)
       master_(following.masterRecording),
       teleop_(following.teleopRecording),
       slave_(following.slaveRecording),
-      judge_(following.timeConstant) {}
+      judge_(following.lag) {}
 
-robots::ErrorSummary FollowingWatch::recent() {
-  judge_.addSlave(slave_.next().arm);
-  judge_.addMaster(master_.next().arm);
-  judge_.addFollowed(teleop_.next().followed);
+// The slave is read first, because a slave cycle can be judged only by a master that is known.
+std::optional<robots::ErrorSummary> FollowingWatch::recent() {
+  const robots::Recording slave = slave_.next(), master = master_.next(), teleop = teleop_.next();
+  take(master, teleop, slave);
   judge_.advance();
   return judge_.recentPosition();
 }
 
-robots::Judgement FollowingWatch::finish() {
-  judge_.addSlave(slave_.rest().arm);
-  judge_.addMaster(master_.rest().arm);
-  judge_.addFollowed(teleop_.rest().followed);
-  return judge_.finish();
+void FollowingWatch::readRest() {
+  const robots::Recording slave = slave_.rest(), master = master_.rest(), teleop = teleop_.rest();
+  take(master, teleop, slave);
+}
+
+robots::Judgement FollowingWatch::finish(suture::Time end, std::vector<robots::Span> excused) {
+  const auto clutched = robots::clutched(clutch_, end);
+  excused.insert(excused.end(), clutched.begin(), clutched.end());
+  return judge_.finish({end, std::move(excused)});
+}
+
+void FollowingWatch::take(const robots::Recording& master, const robots::Recording& teleop,
+                          const robots::Recording& slave) {
+  judge_.addSlave(slave.arm);
+  judge_.addMaster(master.arm);
+  judge_.addFollowed(teleop.followed);
+  clutch_.insert(clutch_.end(), teleop.clutch.begin(), teleop.clutch.end());
+  stops_.insert(stops_.end(), slave.stops.begin(), slave.stops.end());
+  const bool isOneFile = following_.teleopRecording == following_.masterRecording;
+  lost_ = slave.lost + master.lost + (isOneFile ? 0 : teleop.lost);
 }
 
 std::vector<FollowingWatch> watchAll(const std::vector<Following>& followings) {

@@ -1,6 +1,8 @@
 #pragma once
 // This judges the slaves while they are recorded.
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,17 +18,30 @@ class FollowingWatch {
   explicit FollowingWatch(const Following& following);
 
   const Following& following() const { return following_; }
-  /// Returns how far off the slave was since the last call, by what has been recorded until now.
-  /// Throws suture::SetupError if a recording cannot be read.
-  robots::ErrorSummary recent();
-  /// Judges the whole run, once the recorders have ended. Throws as recent() does, and also if one
-  /// never recorded.
-  robots::Judgement finish();
+  /// Returns how far off the slave was since the last call, by what has been recorded until now;
+  /// none if there is nothing to compare. Throws suture::SetupError if a recording cannot be read.
+  std::optional<robots::ErrorSummary> recent();
+  /// Reads the rest, once the recorders have ended. Throws as recent() does, and also if one never
+  /// recorded.
+  void readRest();
+  /// Return what was read: the stops of which the slave's recorder heard, and how many records are
+  /// not in the files.
+  const std::vector<robots::StopNews>& stops() const { return stops_; }
+  std::uint64_t lost() const { return lost_; }
+  /// Judges the whole run, after readRest(). `excused` is when the slave need not follow, beside
+  /// the time in which the clutch was pressed.
+  robots::Judgement finish(suture::Time end, std::vector<robots::Span> excused);
 
  private:
+  void take(const robots::Recording& master, const robots::Recording& teleop,
+            const robots::Recording& slave);
+
   const Following following_;
   robots::RecordingReader master_, teleop_, slave_;
   robots::Judge judge_;
+  std::vector<robots::ClutchNews> clutch_;
+  std::vector<robots::StopNews> stops_;
+  std::uint64_t lost_ = 0;
 };
 
 std::vector<FollowingWatch> watchAll(const std::vector<Following>& followings);

@@ -25,6 +25,7 @@ json toJson(const ArmFigures& arm) {
     out["equal_time_error"] = toJson(arm.following->equal_time);
     out["speed_times_latency"] = arm.following->speed_times_latency;
     out["travel"] = arm.following->travel;
+    out["followed"] = arm.following->followed.share;
     out["compared"] = arm.following->compared;
     out["unmatched"] = arm.following->unmatched;
   }

@@ -5,6 +5,8 @@
 #include <suture/observe/merge.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <numbers>
 
 #include "recorder/recording.h"
@@ -17,6 +19,9 @@ namespace {
 using suture::ConnectionReport;
 
 constexpr double kDegreesOfRadian = 180 / std::numbers::pi;
+// Is how much longer than drives live without a permit an arm may move after a stop: what stops has
+// to brake, and its recorder to look.
+constexpr suture::Duration kStopping = std::chrono::milliseconds(50);
 
 suture::TaskReport taskOf(const std::vector<suture::Report>& reports, const std::string& name) {
   for (const suture::Report& report : reports) {
@@ -83,32 +88,60 @@ Check checkLanes(const Plan& plan, const std::vector<ConnectionReport>& connecti
   return {true, counted(plan.lanes().size(), "connection") + " used the lane they were given"};
 }
 
+/// Adds to what is wrong that records are missing, which may have told more.
+std::vector<std::string> withLost(std::vector<std::string> violations, std::uint64_t lost) {
+  if (lost == 0) return violations;
+  violations.push_back(counted(lost, "record") + " did not get into a file of the recorders");
+  return violations;
+}
+
+/// Returns when that slave need not follow, because of what the options of this run do to it.
+std::vector<robots::Span> excusesOf(const FollowingWatch& watch, const Plan& plan,
+                                    const std::optional<Break>& cutOff, const CrewResult& result) {
+  std::vector<robots::Span> excuses;
+  const auto isIt = [&](const RecordedSlave& one) { return one.name == watch.following().slave; };
+  if (result.cutOff && std::any_of(cutOff->slaves.begin(), cutOff->slaves.end(), isIt)) {
+    excuses.push_back({*result.cutOff, result.outage ? result.outage->mended : result.ended});
+  }
+  const auto stop = plan.stop() ? firstStop(watch.stops()) : std::nullopt;
+  if (stop) excuses.push_back({stop->pressed, stop->released.value_or(result.ended)});
+  return excuses;
+}
+
 /// Judges one slave from the recordings; fills its figures.
-Check checkFollowing(FollowingWatch& watch, ArmFigures& slave) {
+Check checkFollowing(const Plan& plan, const std::optional<Break>& cutOff, const CrewResult& result,
+                     FollowingWatch& watch, ArmFigures& slave) {
   const Following& following = watch.following();
   slave.master = following.master;
   const std::string pair = following.slave + " follows " + following.master;
   try {
-    slave.following = watch.finish();
+    watch.readRest();
   } catch (const suture::SetupError& error) {
     return {false, pair + ": " + error.what()};
   }
+  slave.following = watch.finish(result.ended, excusesOf(watch, plan, cutOff, result));
   const robots::Judgement& judgement = *slave.following;
-  const auto violations = robots::violations(judgement);
+  const auto violations = withLost(robots::violations(judgement), watch.lost());
   if (!violations.empty()) return {false, fmt::format("{}: {}", pair, fmt::join(violations, "; "))};
-  return {true, fmt::format("{} within {:.2f} mm and {:.2f} deg at p99, over {:.0f} mm", pair,
-                            1e3 * judgement.position.p99,
-                            kDegreesOfRadian * judgement.orientation.p99, 1e3 * judgement.travel)};
+  return {
+      true,
+      fmt::format("{} within {:.2f} mm and {:.2f} deg at p99, over {:.0f} mm, for {:.0f} % of "
+                  "the time",
+                  pair, 1e3 * judgement.position.p99, kDegreesOfRadian * judgement.orientation.p99,
+                  1e3 * judgement.travel, 1e2 * judgement.followed.share)};
 }
 
 /// Judges the placing of the knot from its recording; fills its figures.
 Check checkKnot(const KnotPlacing& placing, std::optional<robots::KnotJudgement>& figures) {
+  std::uint64_t lost = 0;
   try {
-    figures = robots::judgeKnot(robots::readKnotRecording(placing.recording), placing.target);
+    const robots::KnotRecording recording = robots::readKnotRecording(placing.recording);
+    figures = robots::judgeKnot(recording.rows, placing.target);
+    lost = recording.lost;
   } catch (const suture::SetupError& error) {
     return {false, error.what()};
   }
-  const auto violations = robots::violations(*figures);
+  const auto violations = withLost(robots::violations(*figures), lost);
   if (!violations.empty()) return {false, fmt::format("{}", fmt::join(violations, "; "))};
   return {true, fmt::format("the knot came from {:.1f} to {:.2f} mm from its target; while it was "
                             "guided, the cameras saw it {:.0f} % of the time, within {:.2f} mm at "
@@ -122,41 +155,45 @@ struct Happening {
   std::string during, over;
 };
 
-/// Judges if a slave held from `begin` to `end`; fills its figures.
-Check judgeHeld(const std::string& slave, const std::vector<robots::ArmRow>& rows,
-                suture::Time begin, suture::Time end, const Happening& happening,
-                std::vector<HeldSlave>& held) {
+/// Judges if a slave held during that span; fills its figures.
+Check judgeHeld(const std::string& slave, const robots::Recording& recording,
+                const robots::Span& span, const Happening& happening,
+                const robots::HoldBounds& bounds, std::vector<HeldSlave>& held) {
   const std::string subject = fmt::format("{}, {}", slave, happening.during);
-  const robots::HoldJudgement judgement = robots::judgeHold(rows, begin, end);
+  const robots::HoldJudgement judgement = robots::judgeHold(recording.arm, span.begin, span.end);
   held.push_back({slave, judgement});
-  const auto violations = robots::violations(judgement);
+  const auto violations = withLost(robots::violations(judgement, bounds), recording.lost);
   if (!violations.empty())
     return {false, fmt::format("{}: {}", subject, fmt::join(violations, "; "))};
   return {true,
           fmt::format("{} for {:.0f} ms, held after {:.0f} ms, moved again {:.0f} ms after "
                       "{}, and did not jump",
-                      subject, 1e3 * robots::secondsBetween(begin, end), 1e3 * judgement.held_after,
-                      1e3 * *judgement.resumed_after, happening.over)};
+                      subject, 1e3 * robots::secondsBetween(span.begin, span.end),
+                      1e3 * judgement.held_after, 1e3 * *judgement.resumed_after, happening.over)};
 }
 
 Check checkHeld(const RecordedSlave& slave, const std::string& process, const Outage& outage,
                 std::vector<HeldSlave>& held) {
   try {
-    return judgeHeld(slave.name, robots::readRecording(slave.recording).arm, outage.broken,
-                     outage.mended, {fmt::format("with {} cut off", process), "that was mended"},
-                     held);
+    return judgeHeld(slave.name, robots::readRecording(slave.recording),
+                     {outage.broken, outage.mended},
+                     {fmt::format("with {} cut off", process), "that was mended"}, {}, held);
   } catch (const suture::SetupError& error) {
     return {false, slave.name + ": " + error.what()};
   }
 }
 
-Check checkStopped(const RecordedSlave& slave, std::vector<HeldSlave>& held) {
+Check checkStopped(const RecordedSlave& slave, suture::Duration permit,
+                   std::vector<HeldSlave>& held) {
   try {
     const robots::Recording recording = robots::readRecording(slave.recording);
-    const auto stop = firstStop(recording);
-    if (!stop) return {false, slave.name + " heard of no stop, or not of its release"};
-    return judgeHeld(slave.name, recording.arm, stop->pressed, stop->released,
-                     {"with the stop pressed", "its release"}, held);
+    const auto stop = firstStop(recording.stops);
+    if (!stop || !stop->released) {
+      return {false, slave.name + " heard of no stop, or not of its release"};
+    }
+    return judgeHeld(slave.name, recording, {stop->pressed, *stop->released},
+                     {"with the stop pressed", "its release"},
+                     {.held_after = robots::inSeconds(permit + kStopping)}, held);
   } catch (const suture::SetupError& error) {
     return {false, slave.name + ": " + error.what()};
   }
@@ -181,15 +218,20 @@ Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const Cre
     const auto slave =
         std::find_if(verdict.arms.begin(), verdict.arms.end(),
                      [&](const ArmFigures& arm) { return arm.name == watch.following().slave; });
-    verdict.checks.push_back(checkFollowing(watch, *slave));
+    verdict.checks.push_back(checkFollowing(plan, cutOff, result, watch, *slave));
   }
   if (plan.knot()) verdict.checks.push_back(checkKnot(*plan.knot(), verdict.knot));
   if (plan.stop() && !result.interrupted) {
     for (const RecordedSlave& slave : plan.slaves()) {
-      verdict.checks.push_back(checkStopped(slave, verdict.held));
+      verdict.checks.push_back(checkStopped(slave, plan.permit(), verdict.held));
     }
   }
   if (!result.outage) return verdict;
+  if (cutOff->slaves.empty()) {
+    verdict.checks.push_back(
+        {true, fmt::format("no slave depends directly on {}, so that none had to hold",
+                           cutOff->process)});
+  }
   for (const RecordedSlave& slave : cutOff->slaves) {
     verdict.checks.push_back(checkHeld(slave, cutOff->process, *result.outage, verdict.held));
   }

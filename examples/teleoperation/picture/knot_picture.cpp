@@ -206,7 +206,7 @@ const KnotPlacing& requireKnot(const Plan& plan) {
 
 void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing,
               const ProcessGraph& graph, const std::optional<Outage>& outage) {
-  const std::vector<KnotRow> rows = robots::readKnotRecording(placing.recording);
+  const std::vector<KnotRow> rows = robots::readKnotRecording(placing.recording).rows;
   if (rows.empty()) {
     throw suture::SetupError("drawing a picture", "the knot was never recorded",
                              "Run for longer: both arms home first, which takes some seconds");

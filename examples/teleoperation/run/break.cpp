@@ -21,7 +21,7 @@ void requireProcess(const std::string& asked, const std::string& process, const 
 
 }  // namespace
 
-std::optional<Break> parseBreak(const std::string& text, const Plan& plan,
+std::optional<Break> parseBreak(const std::string& text, const Plan& plan, const Network& network,
                                 suture::Duration runLength) {
   if (text.empty()) return std::nullopt;
   const std::string asked = "--break " + text;
@@ -40,7 +40,7 @@ std::optional<Break> parseBreak(const std::string& text, const Plan& plan,
                              "Choose a topology of several processes, or leave --break out");
   }
   requireRoom(asked, *moment, runLength);
-  return Break{process, *moment, plan.slavesDrivenAcross(process)};
+  return Break{process, *moment, plan.slavesThatDependOn({process, !network.hasNamespaces()})};
 }
 
 }  // namespace demo

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "run/moment.h"
+#include "run/network.h"
 #include "run/plan.h"
 
 namespace demo {
@@ -26,7 +27,7 @@ struct Outage {
 /// Parses "vision@4s", or "vision@4s+1500ms" (without a length it is one second); none for "".
 /// Throws suture::SetupError for any other text, for a system of one process, and as requireRoom()
 /// does; suture::DocumentError for a process that the plan does not have.
-std::optional<Break> parseBreak(const std::string& text, const Plan& plan,
+std::optional<Break> parseBreak(const std::string& text, const Plan& plan, const Network& network,
                                 suture::Duration runLength);
 
 }  // namespace demo

@@ -151,6 +151,12 @@ std::string nameOf(const suture::Endpoint& endpoint) {
   return endpoint.process + ":" + endpoint.component;
 }
 
+/// Returns true if nothing crosses the connection during the outage.
+bool isCut(const ConnectionEntry& one, const CutOff& cutOff) {
+  const bool isItsOwn = one.from.process == cutOff.process || one.to.process == cutOff.process;
+  return isItsOwn && (cutOff.isFrozen || one.from.process != one.to.process);
+}
+
 /// Returns a parameter by which the run is judged. It cannot be left to the class's default, which
 /// only the workstation knows.
 template <class Value>
@@ -165,12 +171,14 @@ Value parameterOf(const ComponentEntry& component, const char* name) {
   }
 }
 
-/// Returns in s by how much drives declare that their joints trail. Drives that move bodies with
-/// mass declare nothing: what their controllers leave is an error.
-double lagOf(const ComponentEntry& drives) {
+/// Returns by how much drives declare that their joints trail. Drives that move bodies with mass
+/// declare no time constant: what their controllers leave is an error. Each cycle of the drives
+/// measures, and begins to act on the goal that the arm made of the measurement before.
+robots::DeclaredLag lagOf(const ComponentEntry& drives) {
   const auto dynamics = drives.parameters.find("dynamics");
   const bool haveMass = dynamics != drives.parameters.end() && *dynamics == "RigidBody";
-  return haveMass ? 0 : parameterOf<double>(drives, "time_constant");
+  return {.time_constant = haveMass ? 0 : parameterOf<double>(drives, "time_constant"),
+          .delay = parameterOf<double>(drives, "period")};
 }
 
 Eigen::Vector3d vectorOf(const ComponentEntry& component, const char* name) {
@@ -214,16 +222,30 @@ void Plan::setManager(const std::string& address) {
   deployment_ = suture::Deployment(suture::JsonDocument::read(file_));
 }
 
-/// Returns true if the component that drives the slave has a connection between that process and
-/// another one.
-bool Plan::driverCrosses(const std::string& slave, const std::string& process) const {
+/// Returns true if the arm and its drives need a connection for power that is cut.
+bool Plan::armDependsOn(const std::string& arm, const CutOff& cutOff) const {
+  const std::string drives = connectedTo(arm + "/Drives");
+  const auto& all = deployment_.connections();
+  return std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& one) {
+    const bool isTheirs = nameOf(one.from) == arm || nameOf(one.from) == drives;
+    const bool isForPower = one.from.interface == "Drives" || one.from.interface == "Stop";
+    return isTheirs && isForPower && isCut(one, cutOff);
+  });
+}
+
+/// Returns true if a connection of the component that drives the slave is cut, or if one of its
+/// arms has no power without the process: it drives only while all of them are up.
+bool Plan::dependsOn(const std::string& slave, const CutOff& cutOff) const {
+  if (armDependsOn(slave, cutOff)) return true;
   const auto& all = deployment_.connections();
   return std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& drive) {
-    const ComponentEntry& driver = component(nameOf(drive.from));
-    if (drive.to.toString() != slave + "/Arm" || !isDriver(driver)) return false;
+    if (drive.to.toString() != slave + "/Arm" || !isDriver(component(nameOf(drive.from)))) {
+      return false;
+    }
     return std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& one) {
-      return nameOf(one.from) == nameOf(drive.from) && one.from.process != one.to.process &&
-             (one.from.process == process || one.to.process == process);
+      if (nameOf(one.from) != nameOf(drive.from)) return false;
+      const std::string provider = nameOf(one.to);
+      return isCut(one, cutOff) || (isArm(component(provider)) && armDependsOn(provider, cutOff));
     });
   });
 }
@@ -232,8 +254,8 @@ std::vector<RecordedSlave> Plan::slaves() const {
   return slavesOf([](const std::string&) { return true; });
 }
 
-std::vector<RecordedSlave> Plan::slavesDrivenAcross(const std::string& process) const {
-  return slavesOf([&](const std::string& slave) { return driverCrosses(slave, process); });
+std::vector<RecordedSlave> Plan::slavesThatDependOn(const CutOff& cutOff) const {
+  return slavesOf([&](const std::string& slave) { return dependsOn(slave, cutOff); });
 }
 
 template <class Chosen>

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "recorder/judge.h"
 #include "run/moment.h"
 #include "run/network.h"
 #include "run/real_time_turn.h"
@@ -38,7 +39,13 @@ suture::Duration lengthOf(const Options& options);
 struct Following {
   std::string master, slave, teleop;  ///< "process:component"
   std::filesystem::path masterRecording, slaveRecording, teleopRecording;
-  double timeConstant;  ///< s, as declared for the slave's drives
+  robots::DeclaredLag lag;  ///< of the slave's drives
+};
+
+/// Says how a process is cut off: its own connections work on, unless it is frozen.
+struct CutOff {
+  std::string process;
+  bool isFrozen;
 };
 
 /// Is a slave whose cycles are recorded.
@@ -57,9 +64,9 @@ struct KnotPlacing {
 
 /// Is the topology's deployment file with the run's rate, lane, stop, manager and keys, written
 /// into the run's folder. The rate is that of each task whose period the topology's file states as
-/// 1 ms; one with a shorter period, such as an arm or its drives, runs faster in proportion. All
-/// others keep theirs. For a user without real-time priorities, and while another demo has them,
-/// drives accept an older permit of the emergency stop.
+/// 1 ms; one with a shorter period, such as an arm, its drives or recorder, runs faster in
+/// proportion. All others keep theirs. For a user without real-time priorities, and while another
+/// demo has them, drives accept an older permit of the emergency stop.
 class Plan {
  public:
   /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it
@@ -77,10 +84,11 @@ class Plan {
   /// Returns "process:component" of every arm, in the order of the file.
   const std::vector<std::string>& arms() const { return arms_; }
   const std::vector<Following>& followings() const { return followings_; }
-  /// Return all slaves, or those that are driven over a connection to or from this process. Throw
+  /// Return all slaves, or those that have to hold while a process is cut off, because a connection
+  /// is cut that drives them, or has the power or the stop of an arm that takes part. Throw
   /// suture::SetupError if one is not recorded.
   std::vector<RecordedSlave> slaves() const;
-  std::vector<RecordedSlave> slavesDrivenAcross(const std::string& process) const;
+  std::vector<RecordedSlave> slavesThatDependOn(const CutOff& cutOff) const;
   /// Returns when the emergency stop is pressed; none if it is not.
   const std::optional<Moment>& stop() const { return stop_; }
   /// Returns why its tasks run without the real-time priorities that the topology's file gives
@@ -99,7 +107,8 @@ class Plan {
  private:
   template <class Chosen>
   std::vector<RecordedSlave> slavesOf(const Chosen& chosen) const;
-  bool driverCrosses(const std::string& slave, const std::string& process) const;
+  bool dependsOn(const std::string& slave, const CutOff& cutOff) const;
+  bool armDependsOn(const std::string& arm, const CutOff& cutOff) const;
   void findArms();
   void findFollowings(const std::filesystem::path& folder);
   void findKnot(const std::filesystem::path& folder);

@@ -164,6 +164,7 @@ Time Crew::breakOrMend(Time began) {
 /// of a cable for seconds while it takes down other namespaces, so the moment is taken when it is
 /// done.
 void Crew::cut() {
+  result_.cutOff = suture::now();
   if (network_.hasNamespaces()) {
     network_.setCable(cutOff_->process, false);
   } else {
@@ -189,6 +190,7 @@ bool Crew::expectsLosses() const {
 }
 
 void Crew::end() {
+  result_.ended = suture::now();
   if (broken_) mend();  // a frozen process would not handle the signal to end
   if (!result_.interrupted && !result_.failures.empty()) {
     pumpUntil(suture::now() + kAftermath, [this] { return result_.interrupted; });

@@ -28,6 +28,8 @@ struct CrewResult {
   std::vector<ProgramHash> programs;    ///< that ran as workstations; each is listed once
   std::optional<Outage> outage;         ///< of a run in which a process was cut off and is back
   suture::Duration ran{};               ///< from when all were connected
+  suture::Time ended;                   ///< when every process was asked to end
+  std::optional<suture::Time> cutOff;   ///< when a process began to be cut off, if one was
 };
 
 /// Blocks the signals that end a run, so that from then on it ends in order, because a Crew watches

@@ -17,14 +17,14 @@ std::optional<Moment> parseStop(const std::string& text, suture::Duration runLen
   return moment;
 }
 
-std::optional<Pressed> firstStop(const robots::Recording& recording) {
+std::optional<Pressed> firstStop(const std::vector<robots::StopNews>& stops) {
   const auto isPress = [](const robots::StopNews& news) { return news.pressed; };
-  const auto end = recording.stops.end();
-  const auto begun = std::find_if_not(recording.stops.begin(), end, isPress);
+  const auto end = stops.end();
+  const auto begun = std::find_if_not(stops.begin(), end, isPress);
   const auto pressed = std::find_if(begun, end, isPress);
   const auto released = std::find_if_not(pressed, end, isPress);
-  if (released == end) return std::nullopt;
-  return Pressed{pressed->stamp, released->stamp};
+  if (pressed == end) return std::nullopt;
+  return Pressed{pressed->stamp, released == end ? std::nullopt : std::optional(released->stamp)};
 }
 
 }  // namespace demo

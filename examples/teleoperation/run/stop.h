@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "recorder/recording.h"
 #include "run/moment.h"
@@ -16,13 +17,12 @@ namespace demo {
 /// requireRoom() does.
 std::optional<Moment> parseStop(const std::string& text, suture::Duration runLength);
 
-/// Is a stop that was pressed and released.
 struct Pressed {
-  suture::Time pressed, released;
+  suture::Time pressed;
+  std::optional<suture::Time> released;  ///< none: nobody heard of that
 };
 
-/// Returns the first stop that `recording` has, after the one with which a coordinator starts; none
-/// if it has none, or not its release.
-std::optional<Pressed> firstStop(const robots::Recording& recording);
+/// Returns the first stop of a recording after the one with which a coordinator starts.
+std::optional<Pressed> firstStop(const std::vector<robots::StopNews>& stops);
 
 }  // namespace demo

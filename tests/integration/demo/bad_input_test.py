@@ -125,6 +125,11 @@ class Demo(unittest.TestCase):
         self.assertIn("nothing in this topology places a knot. Choose one with a KnotGuide", process.stderr)
         self.assertEqual(process.stdout, "", "it is refused before the run")
 
+    def test_a_rate_at_which_a_cycle_is_too_long_to_be_judged(self):
+        process = subprocess.run([PROGRAMS / "suture-demo", "--rate", "99"], capture_output=True, text=True, timeout=60)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertIn("--rate: Value 99 not in range", process.stderr)
+
     def error_of(self, change, folder=None):
         """Returns why a run of fig3c, changed in a file of that folder, ends with an error."""
         topology = json.loads((TOPOLOGIES / "fig3c.json").read_text())

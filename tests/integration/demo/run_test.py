@@ -56,7 +56,7 @@ def expected_lane(connection, lane, network):
 
 
 # These checks may fail on a busy machine; the one that the knot was guided at all may not.
-LATE = r"follows .*error .* at p99|the slave travelled |the knot (ended|came|was guided) |the cameras saw the knot "
+LATE = r"follows .*error .* at p99|the slave (travelled|followed for) |the knot (ended|came|was guided) |the cameras saw the knot "
 
 
 def is_late(check):

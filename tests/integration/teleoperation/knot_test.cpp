@@ -69,7 +69,7 @@ class Knot : public testing::TestWithParam<suture::Lane> {
   suture::Manager& vision() { return isOneProcess() ? left_ : vision_; }
   KnotJudgement judged() {
     stop();
-    return judgeKnot(readKnotRecording(file()), kKnotTarget);
+    return judgeKnot(readKnotRecording(file()).rows, kKnotTarget);
   }
   std::string file() const { return directory_.file("knot.jsonl"); }
 
@@ -196,7 +196,7 @@ TEST_P(Knot, AGoneGuideIsNotRecordedAsGuiding) {
   eyesProcess_.run([this] { vision().disconnect("Recorder/Guidance"); });
   suture::pass(200ms);
   stop();
-  const auto rows = readKnotRecording(file());
+  const auto rows = readKnotRecording(file()).rows;
   EXPECT_TRUE(
       std::any_of(rows.begin(), rows.end(), [](const KnotRow& row) { return row.guiding; }));
   ASSERT_FALSE(rows.empty());

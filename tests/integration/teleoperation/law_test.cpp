@@ -10,6 +10,7 @@
 #include "recorder/judge.h"
 #include "support/pass.h"
 #include "support/stepped.h"
+#include "timing/seconds.h"
 
 namespace robots::test {
 namespace {
@@ -42,8 +43,10 @@ TEST_P(Law, HoldsForARecordedRun) {
   stations_.stop();
   EXPECT_EQ(stations_.slaveRecorder().dropped(), 0u);
   const Recording slave = stations_.slave();
+  const PsmDrivesParameters drives;
   const Judgement judgement =
-      judge(stations_.master().arm, slave.followed, slave.arm, PsmDrivesParameters{}.time_constant);
+      judge(stations_.master().arm, slave.followed, slave.arm,
+            {.time_constant = drives.time_constant, .delay = inSeconds(drives.period)});
   for (const std::string& violation : violations(judgement)) ADD_FAILURE() << violation;
   EXPECT_GT(judgement.compared, 2400u);
   EXPECT_GT(judgement.equal_time.mean, 0.0005) << "it cannot be in two places at once";

@@ -8,9 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <deque>
+#include <functional>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "surgeon/hand_path.h"
 
@@ -39,6 +43,7 @@ struct Faults {
   bool rotates = true;    // follows the orientation
   double missedRows = 0;  // share of cycles the recorders lose
   double delay = 0;       // s, of the goals beyond 1 to 2 ms: no fault, since their stamps tell it
+  int cyclesUntilGoals = 0;  // that pass until the drives act on a goal: no fault, if declared
 };
 
 struct Recorded {
@@ -62,20 +67,20 @@ Recorded makeRun(const Faults& faults, double frequency = 0.3, double duration =
   // Goals arrive 1 to 2 ms after their stamp, on cycles 0.4 ms out of phase.
   Eigen::Vector3d p = slave0.translation();
   Eigen::Quaterniond q(slave0.linear());
-  Eigen::Vector3d targetP = p;
-  Eigen::Quaterniond targetQ = q;
+  std::deque<std::pair<Eigen::Vector3d, Eigen::Quaterniond>> targets(
+      static_cast<std::size_t>(1 + faults.cyclesUntilGoals), {p, q});
   const double share = 1 - std::exp(-0.001 / (kTimeConstant + faults.extraLag));
   for (double t = 0.0024 + faults.delay; t < duration; t += 0.001) {
-    p += share * (targetP - p);
-    q = q.slerp(share, targetQ);
+    p += share * (targets.front().first - p);
+    q = q.slerp(share, targets.front().second);
+    targets.pop_front();
     const double goalTime = std::floor((t - 0.001 - faults.delay) * 1000) / 1000;
     const Eigen::Isometry3d master = hand.at(goalTime);
-    targetP = slave0.translation() +
-              faults.sign * kScale * (master.translation() - master0.translation());
-    if (faults.rotates) {
-      targetQ =
-          Eigen::Quaterniond(master.linear() * master0.linear().transpose() * slave0.linear());
-    }
+    const Eigen::Matrix3d turned = master.linear() * master0.linear().transpose() * slave0.linear();
+    targets.emplace_back(
+        slave0.translation() +
+            faults.sign * kScale * (master.translation() - master0.translation()),
+        faults.rotates ? Eigen::Quaterniond(turned) : Eigen::Quaterniond(slave0.linear()));
     ArmRow row{at(t), Eigen::Isometry3d::Identity(), at(goalTime), {}};
     row.measured.translation() = faults.frozen ? slave0.translation() : p;
     row.measured.linear() = faults.frozen ? slave0.linear() : q.toRotationMatrix();
@@ -85,7 +90,7 @@ Recorded makeRun(const Faults& faults, double frequency = 0.3, double duration =
 }
 
 Judgement judged(const Recorded& run) {
-  return judge(run.master, run.followed, run.slave, kTimeConstant);
+  return judge(run.master, run.followed, run.slave, {kTimeConstant});
 }
 
 TEST(Judge, FindsNoErrorInASlaveThatObeysTheLaw) {
@@ -100,13 +105,23 @@ TEST(Judge, FindsNoErrorInASlaveThatObeysTheLaw) {
 
 TEST(Judge, HoldsASlaveThatDeclaresNoLagToItsLastGoal) {
   const Recorded prompt = makeRun({.extraLag = -kTimeConstant});
-  const Judgement judgement = judge(prompt.master, prompt.followed, prompt.slave, 0);
+  const Judgement judgement = judge(prompt.master, prompt.followed, prompt.slave, {});
   EXPECT_GT(judgement.compared, 9900u);
   EXPECT_LT(judgement.position.max, 1e-9);
   EXPECT_NEAR(judgement.speed_times_latency, judgement.equal_time.mean,
               0.1 * judgement.equal_time.mean);
   const Recorded late = makeRun({}, 1.2);
-  EXPECT_FALSE(violations(judge(late.master, late.followed, late.slave, 0)).empty());
+  EXPECT_FALSE(violations(judge(late.master, late.followed, late.slave, {})).empty());
+}
+
+TEST(Judge, KnowsThatDrivesActOnAGoalInTheirNextCycle) {
+  const Recorded run = makeRun({.cyclesUntilGoals = 1}, 1.2);
+  EXPECT_GT(judged(run).position.p99, 1e-4) << "nobody declared it";
+  const Judgement judgement =
+      judge(run.master, run.followed, run.slave, {.time_constant = kTimeConstant, .delay = 0.001});
+  EXPECT_LT(judgement.position.max, 1e-9);
+  EXPECT_NEAR(judgement.equal_time.mean, judgement.speed_times_latency,
+              0.02 * judgement.equal_time.mean);
 }
 
 TEST(Judge, ToleratesRecordersThatMissCycles) {
@@ -155,6 +170,83 @@ TEST(Judge, ExplainsTheErrorOfALateSlave) {
   EXPECT_GT(before, 0.005);
 }
 
+constexpr const char* kHalf =
+    "the slave followed for 50 % of the time, at least 90 % required: not from 5.0 to 10.0 s after "
+    "it began";
+
+using Change = std::function<void(ArmRow& row, const ArmRow& last)>;
+
+/// Returns what is wrong with a run in which `change` has been made to each row from `begin` on.
+std::vector<std::string> violationsAfter(suture::Time begin, const Change& change,
+                                         const Duty& duty = {}) {
+  Recorded run = makeRun({});
+  ArmRow last;
+  for (ArmRow& row : run.slave) {
+    if (row.stamp < begin) {
+      last = row;
+    } else {
+      change(row, last);
+    }
+  }
+  Judge judge({kTimeConstant});
+  judge.addMaster(run.master);
+  judge.addFollowed(run.followed);
+  judge.addSlave(run.slave);
+  return violations(judge.finish(duty));
+}
+
+// A slave is thought to follow for 50 ms after its last goal.
+std::vector<std::string> violationsWithoutGoals(const Duty& duty = {}) {
+  return violationsAfter(
+      at(4.95),
+      [](ArmRow& row, const ArmRow& last) {
+        row.goal_stamp = last.goal_stamp;
+        row.measured = last.measured;
+      },
+      duty);
+}
+
+std::vector<std::string> violationsIfDisabled(const Duty& duty = {}) {
+  return violationsAfter(
+      at(5), [](ArmRow& row, const ArmRow&) { row.enabled = false; }, duty);
+}
+
+TEST(Judge, SeesASlaveThatGetsNoGoals) {
+  EXPECT_EQ(violationsWithoutGoals(), std::vector<std::string>{kHalf});
+}
+
+TEST(Judge, SeesASlaveThatIsNotEnabledAnyMore) {
+  EXPECT_EQ(violationsIfDisabled(), std::vector<std::string>{kHalf});
+}
+
+TEST(Judge, SeesASlaveWhoseRecordingEndsTooSoon) {
+  Recorded run = makeRun({});
+  std::erase_if(run.slave, [](const ArmRow& row) { return row.stamp > at(5); });
+  EXPECT_EQ(violations(judged(run)), std::vector<std::string>{kHalf});
+}
+
+TEST(Judge, AsksOnlyForWhatASlaveHasToFollow) {
+  EXPECT_TRUE(violationsWithoutGoals({.end = at(5.2)}).empty());
+  EXPECT_TRUE(violationsWithoutGoals({.excused = {{at(5), at(7)}, {at(6), at(10)}}}).empty());
+  EXPECT_TRUE(violationsWithoutGoals({.excused = {{at(4), at(7)}}}).empty()) << "it recovers";
+  const auto found = violationsIfDisabled({.excused = {{at(4), at(6)}}});
+  ASSERT_EQ(found.size(), 1u) << "but it has not recovered for too long";
+  EXPECT_EQ(found[0],
+            "the slave followed for 80 % of the time, at least 90 % required: not from 9.0 to 10.0 "
+            "s after it began");
+}
+
+TEST(Judge, DoesNotAskToFollowWhileTheClutchIsPressed) {
+  const std::vector<ClutchNews> news{{false, at(1)}, {true, at(5)},  {true, at(6)},
+                                     {false, at(7)}, {false, at(8)}, {true, at(9)}};
+  const std::vector<Span> spans = clutched(news, at(10));
+  ASSERT_EQ(spans.size(), 2u);
+  EXPECT_EQ(spans[0].begin, at(5));
+  EXPECT_EQ(spans[0].end, at(7));
+  EXPECT_EQ(spans[1].begin, at(9));
+  EXPECT_EQ(spans[1].end, at(10));
+}
+
 // The slave stands 5 mm off, without power, from 4 s to 5 s; then it follows again.
 TEST(Judge, ADisabledSlaveIsNotJudged) {
   Recorded run = makeRun({});
@@ -192,10 +284,10 @@ TEST(Judge, HoldsTheSlaveToTheAnchorsOfEachEntry) {
 
 TEST(Judge, SaysWhenThereIsNothingToCompare) {
   const Recorded run = makeRun({});
-  EXPECT_EQ(violations(judge(run.master, {}, run.slave, kTimeConstant)).front(),
+  EXPECT_EQ(violations(judge(run.master, {}, run.slave, {kTimeConstant})).front(),
             "the slave never followed");
   const std::vector<ArmRow> half(run.master.begin(), run.master.begin() + 5000);
-  const Judgement judgement = judge(half, run.followed, run.slave, kTimeConstant);
+  const Judgement judgement = judge(half, run.followed, run.slave, {kTimeConstant});
   EXPECT_NEAR(static_cast<double>(judgement.unmatched), 5000, 10);
   EXPECT_FALSE(violations(judgement).empty());
 }
@@ -203,7 +295,7 @@ TEST(Judge, SaysWhenThereIsNothingToCompare) {
 // The demo judges so: it writes pieces of recordings at different speeds.
 TEST(Judge, SaysTheSameOfARunThatComesInPieces) {
   const Recorded run = makeRun({.extraLag = 0.005, .missedRows = 0.1});
-  Judge judge(kTimeConstant);
+  Judge judge({kTimeConstant});
   double worst = 0;
   for (std::size_t i = 0; i < run.master.size(); i += 250) {
     const auto piece = [i](const std::vector<ArmRow>& rows, std::size_t lead) {
@@ -214,7 +306,7 @@ TEST(Judge, SaysTheSameOfARunThatComesInPieces) {
     judge.addMaster(piece(run.master, 0));
     if (i == 0) judge.addFollowed(run.followed);
     judge.advance();
-    worst = std::max(worst, judge.recentPosition().max);
+    if (const auto recent = judge.recentPosition()) worst = std::max(worst, recent->max);
   }
   const Judgement whole = judged(run), pieces = judge.finish();
   EXPECT_EQ(pieces.compared, whole.compared);

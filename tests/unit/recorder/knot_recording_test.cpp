@@ -84,7 +84,7 @@ TEST_F(KnotRecordingTest, ReadsBackEachFieldToTheLastBit) {
   unseen.sighting = {};
   unseen.guiding = false;
   record({someKnotRow(), unseen});
-  const std::vector<KnotRow> rows = readKnotRecording(file_);
+  const std::vector<KnotRow> rows = readKnotRecording(file_).rows;
   ASSERT_EQ(rows.size(), 2u);
   expectEqual(rows[0], someKnotRow());
   expectEqual(rows[1], unseen);

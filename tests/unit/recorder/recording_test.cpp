@@ -53,6 +53,8 @@ TEST_F(RecordingTest, ReadsBackWhatWasPushed) {
                                           .view = somePose().linear(),
                                           .rotation_locked = false,
                                           .translation_locked = true}));
+    ASSERT_TRUE(writer.push(ClutchNews{true, suture::fromNanoseconds(4)}));
+    ASSERT_TRUE(writer.push(ClutchNews{false, suture::fromNanoseconds(8)}));
     ASSERT_TRUE(writer.push(StopNews{true, suture::fromNanoseconds(6)}));
     ASSERT_TRUE(writer.push(StopNews{false, suture::fromNanoseconds(7)}));
     for (std::int64_t i = 0; i < kRows; ++i) {
@@ -69,6 +71,11 @@ TEST_F(RecordingTest, ReadsBackWhatWasPushed) {
   EXPECT_EQ(recording.arm[7].goal_stamp, suture::fromNanoseconds(6));
   EXPECT_TRUE(recording.arm[7].measured.isApprox(somePose(), 1e-15));
   EXPECT_TRUE(recording.arm[7].setpoint.isApprox(somePose().inverse(), 1e-15));
+  EXPECT_EQ(recording.lost, 0u);
+  ASSERT_EQ(recording.clutch.size(), 2u);
+  EXPECT_TRUE(recording.clutch[0].pressed);
+  EXPECT_EQ(recording.clutch[0].stamp, suture::fromNanoseconds(4));
+  EXPECT_FALSE(recording.clutch[1].pressed);
   ASSERT_EQ(recording.stops.size(), 2u);
   EXPECT_TRUE(recording.stops[0].pressed);
   EXPECT_EQ(recording.stops[0].stamp, suture::fromNanoseconds(6));
@@ -130,6 +137,20 @@ TEST_F(RecordingTest, CountsWhatTheDiskDoesNotTake) {
   EXPECT_TRUE(suture::eventually([&] { return writer.lost() == 3; }));
   EXPECT_TRUE(writer.push(ArmRow{}));
   EXPECT_TRUE(suture::eventually([&] { return writer.lost() == 4; })) << "and what comes later";
+}
+
+TEST_F(RecordingTest, SaysHowManyRowsItLacks) {
+  constexpr std::size_t kRoom = 8;
+  {
+    RecordingWriter<Record> writer(file_, kRoom);
+    writer.open();  // it writes nothing until it begins
+    for (std::size_t i = 0; i < kRoom; ++i) ASSERT_TRUE(writer.push(ArmRow{}));
+    for (int i = 0; i < 3; ++i) ASSERT_FALSE(writer.push(ArmRow{}));
+    writer.begin();
+  }
+  const Recording recording = readRecording(file_);
+  EXPECT_EQ(recording.arm.size(), kRoom);
+  EXPECT_EQ(recording.lost, 3u);
 }
 
 TEST_F(RecordingTest, AnEarlierRecordingStaysUntilThisOneBegins) {
