@@ -67,7 +67,7 @@ void Screen::begin(const Options& options, const Plan& plan, const Network& netw
   fmt::print("\n{}\n",
              bold("  time   cycles  commands  replaced  dropped  late  command age   read age   "
                   "jitter  skipped     error"));
-  fmt::print("{:>59}{:>12}{:>11}{:>19}\n", "p99", "p99", "p99", "p99");
+  fmt::print("{:>59}{:>12}{:>11}{:>19}\n", "p99 so far", "p99 so far", "p99 so far", "p99");
   std::fflush(stdout);
 }
 

@@ -21,7 +21,8 @@ class Screen {
 
   void begin(const Options& options, const Plan& plan, const Network& network);
   /// Writes one line about what happened since the last call, and none at the start, when nothing
-  /// has run; `error` is how far the worst slave was off, in m at p99, if any follows a master.
+  /// has run; `error` is how far the worst slave was off, in m at p99, if there is any to compare.
+  /// Ages and jitter are of the whole run so far, because reports have no distributions of less.
   void progress(suture::Duration ran, const std::vector<suture::Report>& reports,
                 std::optional<double> error);
   void end(const Plan& plan, const CrewResult& result, const Verdict& verdict);
