@@ -59,16 +59,26 @@ class RunFolder {
   fs::path path_;
 };
 
+/// Call this after all other options are declared: with this one nothing runs, so that none of them
+/// could have an effect.
+void declareComparison(CLI::App& app, demo::Options& options) {
+  const auto others = app.get_options(
+      [](const CLI::Option* one) { return one->get_lnames() != std::vector<std::string>{"help"}; });
+  CLI::Option* const compare =
+      app.add_option(
+             "--compare", options.compare,
+             "Run nothing, but print what differs between two topologies, by their files alone")
+          ->type_name("NAME|FILE.json NAME|FILE.json")
+          ->expected(2);
+  for (CLI::Option* other : others) compare->excludes(other);
+}
+
 void declare(CLI::App& app, demo::Options& options) {
   app.add_option("--topology", options.topology,
                  "Which processes there are, and what runs in them: one of those below, or a "
                  "deployment file")
       ->type_name("NAME|FILE.json")
       ->capture_default_str();
-  app.add_option("--compare", options.compare,
-                 "Run nothing, but print what differs between two topologies, by their files alone")
-      ->type_name("NAME|FILE.json NAME|FILE.json")
-      ->expected(2);
   app.add_option("--lane", options.lane,
                  "auto: the fastest lane that fits; shm: shared memory, rpc: Cap'n Proto RPC, both "
                  "even within a process, but for an arm and its drives")
@@ -116,6 +126,7 @@ void declare(CLI::App& app, demo::Options& options) {
       "Where a knot is placed: write to this PNG the scene at the end as the endoscope "
       "sees it, how the knot came to its target, and the processes with the ages of what "
       "went between them");
+  declareComparison(app, options);
 }
 
 /// Returns the error since the last call of the slave that was farthest off, in m at p99; none if

@@ -77,6 +77,15 @@ class Topologies(unittest.TestCase):
         self.assertRegex(text, r'(?m)^TeleopL/Master/contract/max_age +"20ms" +"9ms"$')
         self.assertNotIn("TeleopR", text)
 
+    def test_a_comparison_refuses_options_of_a_run(self):
+        for option in (("--json", "result.json"), ("--picture", "knot.png"), ("--seconds", "5"), ("--topology", "fig3a")):
+            with self.subTest(option[0]):
+                process = subprocess.run([PROGRAMS / "suture-demo", "--compare", "fig3a", "fig3c", *option],
+                                         capture_output=True, text=True, timeout=60)
+                self.assertNotEqual(process.returncode, 0)
+                self.assertIn(f"{option[0]} excludes --compare", process.stderr)
+                self.assertEqual(process.stdout, "")
+
     def test_file_that_is_not_there(self):
         status, output, errors = refusal_of("/no/such.json")
         self.assertEqual((status, output), (1, ""))
