@@ -7,8 +7,8 @@
 namespace robots {
 namespace {
 
-// The ring holds four seconds of one arm at 1 kHz.
-constexpr std::size_t kRecords = 4096;
+// The ring holds four seconds of one arm at 1.5 kHz.
+constexpr std::size_t kRecords = 6144;
 
 }  // namespace
 

@@ -42,6 +42,19 @@ class Topologies(unittest.TestCase):
                     contracts += 1
         self.assertGreaterEqual(contracts, 35)
 
+    def test_recorders_see_each_cycle_of_their_arms(self):
+        recorders = 0
+        for file in TOPOLOGIES.glob("*.json"):
+            deployment = json.loads(file.read_text())
+            periods = {f"{process['name']}:{one['name']}": one.get("parameters", {}).get("period")
+                       for process in deployment["processes"] for one in process["components"]}
+            for one in deployment["connections"]:
+                recorder, arm = one["from"].split("/")[0], one["to"].split("/")[0]
+                if ":Recorder" in recorder and one["to"].endswith("/Arm"):
+                    self.assertLessEqual(periods[recorder], periods[arm], f"{file}: {recorder}")
+                    recorders += 1
+        self.assertGreaterEqual(recorders, 16)
+
     def test_an_unknown_name_is_answered_with_the_known_ones(self):
         status, output, errors = refusal_of("fig3d")
         self.assertEqual((status, output), (1, ""))
