@@ -1,7 +1,9 @@
 #include "assistant/assistant.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "arm/arm_warning.h"
 #include "parameters/valid_time.h"
 
 namespace robots {
@@ -12,9 +14,9 @@ Assistant::Assistant(const AssistantParameters& parameters)
   requireTime("release_after", parameters.release_after);
   requireTime("patience", parameters.patience);
   stop_.on().stop([this](const StopNews& news) { hear(news); });
-  console_.on().console_state([this](const ConsoleState& state) {
-    wasUp_ = wasUp_ || state == ConsoleState::Up;
-    tell(consoleWaits_, state == ConsoleState::Down && !wasUp_);
+  console_.on().console_state([this](const ConsoleState& state) { hear(state); });
+  console_.on().warning([this](const suture::Message& warning) {
+    if (warning.code == static_cast<std::uint32_t>(ArmWarning::PowerLost)) losePower();
   });
   left_.on().teleop_state(
       [this](const TeleopState& state) { tell(leftWaits_, state == TeleopState::Preparing); });
@@ -36,11 +38,27 @@ void Assistant::run() {
 }
 
 void Assistant::hear(const StopNews& news) {
-  pressed_ = news.pressed;
+  const bool wasPressed = std::exchange(pressed_, news.pressed);
+  if (news.pressed && !wasPressed) losePower();
   if (news.pressed) {
     ++pressesHeard_;
   } else {
     released_ = suture::now();
+  }
+}
+
+void Assistant::hear(const ConsoleState& state) {
+  isDown_ = state == ConsoleState::Down;
+  wasUp_ = wasUp_ || state == ConsoleState::Up;
+  tell(consoleWaits_, !wasUp_ && (isDown_ || state == ConsoleState::Leaving));
+}
+
+/// The news of a loss may come before or after those of what has stopped by it.
+void Assistant::losePower() {
+  lost_ = suture::now();
+  for (Waiting* const one : {&consoleWaits_, &leftWaits_, &rightWaits_, &guidanceWaits_}) {
+    one->lostPower = one->lostPower || (one->since && lost_ - *one->since <= parameters_.patience);
+    one->asked = false;
   }
 }
 
@@ -83,21 +101,26 @@ bool Assistant::mayAskAgain(suture::Time now) {
 
 template <class Contract>
 void Assistant::attend(suture::Required<Contract>& one, Waiting& waiting, suture::Time now) {
-  if (one.connected() && hasWaited(waiting, now) && one.enable()) waiting = now;
+  if (one.connected() && hasWaited(waiting, now)) waiting.asked = one.enable().has_value();
 }
 
 void Assistant::bringUpAgain(suture::Time now) {
-  if (console_.connected() && hasWaited(consoleWaits_, now) && console_.bring_up()) {
-    consoleWaits_ = now;
-  }
+  if (!console_.connected() || !isDown_ || !hasWaited(consoleWaits_, now)) return;
+  consoleWaits_.asked = console_.bring_up().has_value();
 }
 
 bool Assistant::hasWaited(const Waiting& waiting, suture::Time now) const {
-  return waiting && now - std::max(*waiting, released_) >= parameters_.patience;
+  if (!waiting.since || !waiting.lostPower || waiting.asked) return false;
+  return now - std::max({*waiting.since, lost_, released_}) >= parameters_.patience;
 }
 
-void Assistant::tell(Waiting& waiting, bool waits) {
-  waiting = waits ? Waiting(suture::now()) : std::nullopt;
+void Assistant::tell(Waiting& waiting, bool waits) const {
+  if (waits == waiting.since.has_value()) return;
+  waiting = {};
+  if (!waits) return;
+  const suture::Time now = suture::now();
+  waiting.since = now;
+  waiting.lostPower = pressed_ || now - lost_ <= parameters_.patience;
 }
 
 }  // namespace robots

@@ -23,16 +23,19 @@ struct SUTURE_TYPE() AssistantParameters {
   suture::Duration press_after{};
   /// It releases what it has pressed this much later.
   suture::Duration release_after = std::chrono::seconds(1);
-  /// It enables what has waited for its arms for this long, and brings up what has been down for
-  /// this long after a bring-up that failed, with power permitted. A person would look first.
+  /// It enables what has waited for its arms for this long since they lost their power, and brings
+  /// up what has failed to come up for this reason, with power permitted. A person would look
+  /// first. What stops at most this long before or after such a loss has stopped by it.
   suture::Duration patience = std::chrono::milliseconds(500);
 };
 
 /// Releases the stop that it finds pressed when it starts, because a coordinator starts pressed,
 /// and presses and releases it once by the script. Later it releases no stop that somebody else has
-/// pressed, and does not press one more. It enables what it is connected to whenever that waits for
-/// its arms: after a stop, and after drives stopped by themselves. It brings a system up again that
-/// goes down before it was up; later that is how somebody wants it.
+/// pressed, and does not press one more. It enables what waits for its arms because they lost their
+/// power: by a stop, or as a console says by drives that stopped by themselves. For each loss it
+/// does so once. For the same reason it brings a system up again that goes down before it was up.
+/// It leaves alone what waits for another reason, such as an arm in FAULT, or one that somebody has
+/// disabled or unhomed.
 class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
  public:
   /// Throws suture::SetupError for a time that is not from 1 ms to a day; press_after may be 0.
@@ -43,10 +46,16 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
  private:
   enum class Step : std::uint8_t { Begin, Watch, Pressed, Done };
 
-  void hear(const StopNews& news);
+  /// Is something that may wait for the assistant.
+  struct Waiting {
+    std::optional<suture::Time> since;  // none if it does not wait
+    bool lostPower = false;             // so it waits
+    bool asked = false;                 // since the last loss
+  };
 
-  /// Is the time since when something waits for the assistant; none if it does not.
-  using Waiting = std::optional<suture::Time>;
+  void hear(const StopNews& news);
+  void hear(const ConsoleState& state);
+  void losePower();
 
   void followScript(suture::Time now);
   void enter(Step step, suture::Time now);
@@ -55,7 +64,7 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
   void attend(suture::Required<Contract>& one, Waiting& waiting, suture::Time now);
   void bringUpAgain(suture::Time now);
   bool hasWaited(const Waiting& waiting, suture::Time now) const;
-  static void tell(Waiting& waiting, bool waits);
+  void tell(Waiting& waiting, bool waits) const;
 
   const AssistantParameters parameters_;
   suture::Required<EmergencyStop> stop_{*this, "Stop"};
@@ -68,9 +77,11 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
   suture::Time stepped_;       // when this step began
   suture::Time asked_;         // when it last asked for what ends this step
   bool pressed_ = true;        // by anybody
-  suture::Time released_;      // when power was permitted last
+  suture::Time released_;      // when that was released last
+  suture::Time lost_;          // when power was lost last
   unsigned pressesHeard_ = 0;  // since it has pressed itself
-  bool wasUp_ = false;         // the system
+  bool isDown_ = false;        // the system
+  bool wasUp_ = false;         // the system, at any time
   Waiting consoleWaits_, leftWaits_, rightWaits_, guidanceWaits_;
 };
 

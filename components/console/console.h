@@ -18,15 +18,19 @@ enum class SUTURE_TYPE() ConsoleState : std::uint8_t {
 };
 
 /// Commands run in the console's own thread before its next cycle. Status, warning and error are
-/// the standard messages: they say what is missing, and which part did not do what it was asked.
+/// the standard messages: they say what is missing, and which part did not do what it was asked. A
+/// warning with the code of ArmWarning::PowerLost (arm/arm_warning.h) names an arm whose drives
+/// have lost their power, or may not have it.
 class SUTURE_INTERFACE() Console : public suture::Messages {
  public:
   virtual ~Console() = default;
 
   /// Brings the system up. It is refused, with an error that names each reason, unless the console
-  /// is down, every part of the system is there, and the emergency stop is released.
+  /// is down, every part of the system is there, no arm is in FAULT, and the emergency stop is
+  /// released.
   SUTURE_COMMAND() virtual void bring_up() = 0;
-  /// Disables everything in the opposite order, even while the system is being brought up.
+  /// Disables everything in the opposite order, even while the system is being brought up. An arm
+  /// in FAULT has no power, and stays in FAULT until somebody enables or disables it.
   SUTURE_COMMAND() virtual void bring_down() = 0;
 
   SUTURE_COMMAND() virtual ConsoleState console_state() const = 0;

@@ -7,8 +7,10 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "arm/arm.suture.h"
+#include "arm/arm_warning.h"
 #include "guidance/guidance.suture.h"
 #include "teleop/teleoperation.suture.h"
 
@@ -44,6 +46,9 @@ class ArmPart {
       busy_ = state.is_busy;
       hasMoved_ = hasMoved_ || state.is_busy;
     });
+    arm_.on().error([this](const suture::Message& error) {
+      lostPower_ = lostPower_ || error.code == static_cast<std::uint32_t>(ArmWarning::PowerLost);
+    });
   }
   ArmPart(const ArmPart&) = delete;
   ArmPart& operator=(const ArmPart&) = delete;
@@ -61,7 +66,12 @@ class ArmPart {
   bool isEnabled() const { return hearing_.counts() && state_ == ArmState::Enabled; }
   bool isHomed() const { return isEnabled() && homed_; }
   bool isReady() const { return isHomed() && !busy_; }
-  bool isDown() const { return !isThere() || state_ == ArmState::Disabled; }
+  bool isFaulted() const { return hearing_.counts() && state_ == ArmState::Fault; }
+  /// Returns true for an arm without power, which may be in FAULT.
+  bool isDown() const { return !isThere() || state_ == ArmState::Disabled || isFaulted(); }
+  /// Returns true if it has said since the last call that its drives lost their power, or may not
+  /// have it.
+  bool hasLostPower() { return std::exchange(lostPower_, false); }
 
   /// Says that a bring-up begins.
   void begin() { hasMoved_ = false; }
@@ -80,6 +90,7 @@ class ArmPart {
   bool homed_ = false;
   bool busy_ = false;
   bool hasMoved_ = false;  // since the bring-up began
+  bool lostPower_ = false;
 };
 
 /// Is what moves arms: a teleoperation or a guide.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr suture::Duration kAskAgain = std::chrono::milliseconds(500);
 constexpr std::size_t kLongestText = 255;
+constexpr std::string_view kInFault = "is in FAULT: remove the cause, then enable or disable it";
 
 template <class Part>
 Part* named(const std::string& name, const std::vector<Part*>& parts) {
@@ -89,7 +90,11 @@ std::string_view SystemConsole::missing() {
   unnamed_ = 0;
   if (!isReleased()) nameMissing("the emergency stop", "is pressed, or says nothing");
   for (const ArmPart* one : arms_) {
-    if (!one->isThere()) nameMissing(one->name(), "has no power permitted, or says nothing");
+    if (one->isFaulted()) {
+      nameMissing(one->name(), kInFault);
+    } else if (!one->isThere()) {
+      nameMissing(one->name(), "has no power permitted, or says nothing");
+    }
   }
   for (const MoverPart* one : movers_) {
     if (!one->isThere()) nameMissing(one->name(), "says nothing");
@@ -111,6 +116,7 @@ void SystemConsole::nameMissing(std::string_view name, std::string_view what) {
 
 void SystemConsole::run() {
   look();
+  tellLostPower();
   switch (state_) {
     case ConsoleState::Down:
       if (byItself_ && missing().empty()) bring_up();
@@ -120,6 +126,14 @@ void SystemConsole::run() {
     case ConsoleState::Up:
     case ConsoleState::Incomplete: return watch();
     case ConsoleState::Leaving: return leaveNext();
+  }
+}
+
+void SystemConsole::tellLostPower() {
+  for (ArmPart* one : arms_) {
+    if (!one->hasLostPower()) continue;
+    text_.assign(one->name()).append(" has no power, or may not have it");
+    messages_.warning(text_, static_cast<std::uint32_t>(ArmWarning::PowerLost));
   }
 }
 
@@ -163,6 +177,12 @@ void SystemConsole::enableMovers() {
 bool SystemConsole::isBroken() {
   if (!isReleased()) {
     undoBringUp("the emergency stop", {"was pressed meanwhile, or says nothing any more"});
+    return true;
+  }
+  const auto inFault = [](const ArmPart* one) { return one->isFaulted(); };
+  const auto faulted = std::find_if(arms_.begin(), arms_.end(), inFault);
+  if (faulted != arms_.end()) {
+    undoBringUp((*faulted)->name(), {kInFault});
     return true;
   }
   for (std::size_t i = 0; i < done_; ++i) {

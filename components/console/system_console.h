@@ -55,6 +55,7 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   /// valid until the next call.
   std::string_view missing();
   void nameMissing(std::string_view name, std::string_view what);
+  void tellLostPower();
   void enableNext();
   void awaitHome();
   void enableMovers();
@@ -65,8 +66,8 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   void enter(ConsoleState state);
   /// Undoes a bring-up if `part` has had enough time to become `what`.
   void checkDeadline(const std::string& part, std::string_view what);
-  /// Undoes a bring-up at once, and returns true, if the stop was pressed, or an arm that had power
-  /// lost it.
+  /// Undoes a bring-up at once, and returns true, if the stop was pressed, an arm is in FAULT, or
+  /// an arm that had power lost it.
   bool isBroken();
   void undoBringUp(std::string_view part, std::initializer_list<std::string_view> why);
   /// Returns true when `part` is asked for the first time, and once in a while, because a command

@@ -74,12 +74,12 @@ constexpr suture::EventInfo kConsoleEvents[] = {
 // The self-description, as in console/console.suture.json.
 constexpr char kConsoleDescription[] = R"json(
 {"name": "robots::Console",
-"doc": "Commands run in the console's own thread before its next cycle. Status, warning and error are\nthe standard messages: they say what is missing, and which part did not do what it was asked.",
+"doc": "Commands run in the console's own thread before its next cycle. Status, warning and error are\nthe standard messages: they say what is missing, and which part did not do what it was asked. A\nwarning with the code of ArmWarning::PowerLost (arm/arm_warning.h) names an arm whose drives\nhave lost their power, or may not have it.",
 "hash": "28ab859eb18567f90efa935a80d07299", "base": "suture::Messages", "commands": [{
 "name": "bring_up", "kind": "void", "ordinal": 1, "wire": "bringUp",
-"doc": "Brings the system up. It is refused, with an error that names each reason, unless the console\nis down, every part of the system is there, and the emergency stop is released.",
+"doc": "Brings the system up. It is refused, with an error that names each reason, unless the console\nis down, every part of the system is there, no arm is in FAULT, and the emergency stop is\nreleased.",
 "queue": 16}, {"name": "bring_down", "kind": "void", "ordinal": 2, "wire": "bringDown",
-"doc": "Disables everything in the opposite order, even while the system is being brought up.",
+"doc": "Disables everything in the opposite order, even while the system is being brought up. An arm\nin FAULT has no power, and stays in FAULT until somebody enables or disables it.",
 "queue": 16}, {"name": "console_state", "kind": "read", "ordinal": 3, "wire": "consoleState",
 "result": {"type": {"kind": "enum", "name": "robots::ConsoleState"}}, "queue": 16}], "events": [{
 "name": "status", "kind": "write", "ordinal": 1,

@@ -59,10 +59,12 @@ class Required<robots::Console> : public Required<suture::Messages> {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
   /// Brings the system up. It is refused, with an error that names each reason, unless the console
-  /// is down, every part of the system is there, and the emergency stop is released.
+  /// is down, every part of the system is there, no arm is in FAULT, and the emergency stop is
+  /// released.
   /// Void: up to 16 wait.
   Command<&Contract::bring_up, NoSlot> bring_up{*this, Id::bring_up};
-  /// Disables everything in the opposite order, even while the system is being brought up.
+  /// Disables everything in the opposite order, even while the system is being brought up. An arm
+  /// in FAULT has no power, and stays in FAULT until somebody enables or disables it.
   /// Void: up to 16 wait.
   Command<&Contract::bring_down, NoSlot> bring_down{*this, Id::bring_down};
   /// Read: answered at once with what the last cycle left.

@@ -13,6 +13,7 @@ struct AssistantParameters @0xbd0af4013de1de7e $Meta.cxx("robots::AssistantParam
   releaseAfter @2 :Int64 = 1000000000 $Meta.cxx("release_after") $Meta.period("1/1000000000");
   # It releases what it has pressed this much later.
   patience @3 :Int64 = 500000000 $Meta.period("1/1000000000");
-  # It enables what has waited for its arms for this long, and brings up what has been down for
-  # this long after a bring-up that failed, with power permitted. A person would look first.
+  # It enables what has waited for its arms for this long since they lost their power, and brings
+  # up what has failed to come up for this reason, with power permitted. A person would look
+  # first. What stops at most this long before or after such a loss has stopped by it.
 }

@@ -25,15 +25,19 @@ enum ConsoleState @0xe5858b1b3b511bbf $Meta.cxx("robots::ConsoleState") $Meta.un
 
 interface Console @0xdf92213fbec2997e extends(Messages.Messages) $Meta.cxx("robots::Console") {
   # Commands run in the console's own thread before its next cycle. Status, warning and error are
-  # the standard messages: they say what is missing, and which part did not do what it was asked.
+  # the standard messages: they say what is missing, and which part did not do what it was asked. A
+  # warning with the code of ArmWarning::PowerLost (arm/arm_warning.h) names an arm whose drives
+  # have lost their power, or may not have it.
 
   subscribe @0 (events :ConsoleEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   bringUp @1 (sent :Rpc.Sent) -> () $Meta.cxx("bring_up") $Meta.kind("void") $Meta.queue(16);
   # Brings the system up. It is refused, with an error that names each reason, unless the console
-  # is down, every part of the system is there, and the emergency stop is released.
+  # is down, every part of the system is there, no arm is in FAULT, and the emergency stop is
+  # released.
   bringDown @2 (sent :Rpc.Sent) -> () $Meta.cxx("bring_down") $Meta.kind("void") $Meta.queue(16);
-  # Disables everything in the opposite order, even while the system is being brought up.
+  # Disables everything in the opposite order, even while the system is being brought up. An arm
+  # in FAULT has no power, and stays in FAULT until somebody enables or disables it.
   consoleState @3 (sent :Rpc.Sent) -> (value :ConsoleState, stamp :Int64)
       $Meta.cxx("console_state") $Meta.kind("read");
 }

@@ -24,6 +24,7 @@ using suture::pass;
 struct Bystander final : suture::Device {
   suture::Required<EmergencyStop> button{*this, "Stop"};
   suture::Required<Console> console{*this, "Console"};
+  suture::Required<Arm> slave{*this, "Slave"};
 };
 
 class AssistantTest : public testing::Test {
@@ -42,6 +43,7 @@ class AssistantTest : public testing::Test {
     manager_.connect("Teleop/Master", "MTM/Arm");
     manager_.connect("Teleop/Slave", "PSM/Arm");
     manager_.connect("Assistant/Left", "Teleop/Teleoperation");
+    manager_.connect("Bystander/Slave", "PSM/Arm");
     for (const char* const one : {"MTMDrives", "PSMDrives", "Bystander", "Assistant"}) {
       manager_.connect(one + std::string("/Stop"), "Coordinator/Stop");
     }
@@ -66,6 +68,19 @@ class AssistantTest : public testing::Test {
     pass(100ms);
     manager_.resume("Coordinator");
   }
+  void pressAndRelease() {
+    ASSERT_TRUE(bystander_.button.press());
+    pass(1s);
+    ASSERT_TRUE(bystander_.button.release());
+  }
+  /// Makes the slave's drives say nothing for too long.
+  void failSlave() {
+    manager_.suspend("PSMDrives");
+    EXPECT_TRUE(until([this] { return slaveState() == ArmState::Fault; }));
+    manager_.resume("PSMDrives");
+  }
+  ArmState slaveState() const { return slave_.arm.operating_state().state; }
+  bool isUp() const { return console_->console_state() == ConsoleState::Up; }
   bool follows() const { return teleop_.teleop_state() == TeleopState::Following; }
   bool mayHavePower() const { return coordinator_.permit().granted; }
   template <class Condition>
@@ -140,13 +155,72 @@ TEST_F(AssistantTest, KeepsAStopThatAnotherHasPressedToo) {
 }
 
 TEST_F(AssistantTest, EnablesAgainWhatStoppedByItselfButNotAtOnce) {
-  start(0s);
-  ASSERT_TRUE(until([this] { return follows(); }));
+  startWithConsole();
+  ASSERT_TRUE(until([this] { return follows() && isUp(); }));
   letPermitLapse();
   pass(300ms);
   EXPECT_FALSE(follows()) << "a permit that lapsed is no reason to go on";
   pass(500ms);
   EXPECT_TRUE(until([this] { return follows(); }));
+}
+
+TEST_F(AssistantTest, LeavesAnArmDisabledThatSomebodyHasDisabled) {
+  startWithConsole();
+  ASSERT_TRUE(until([this] { return follows() && isUp(); }));
+  ASSERT_TRUE(bystander_.slave.disable());
+  pass(10s);
+  EXPECT_EQ(slaveState(), ArmState::Disabled);
+  pressAndRelease();
+  pass(10s);
+  EXPECT_EQ(slaveState(), ArmState::Disabled) << "the stop did not take its power";
+  letPermitLapse();
+  pass(10s);
+  EXPECT_EQ(slaveState(), ArmState::Disabled) << "nor did the permit";
+}
+
+TEST_F(AssistantTest, LeavesAnArmWhereItIsThatSomebodyHasUnhomed) {
+  startWithConsole();
+  ASSERT_TRUE(until([this] { return follows() && isUp(); }));
+  ASSERT_TRUE(bystander_.slave.unhome());
+  pass(10s);
+  EXPECT_FALSE(slave_.arm.operating_state().is_homed);
+  pressAndRelease();
+  pass(10s);
+  EXPECT_FALSE(slave_.arm.operating_state().is_homed);
+}
+
+TEST_F(AssistantTest, LeavesAnArmInFault) {
+  startWithConsole();
+  ASSERT_TRUE(until([this] { return follows() && isUp(); }));
+  failSlave();
+  pass(10s);
+  EXPECT_EQ(slaveState(), ArmState::Fault);
+  ASSERT_TRUE(bystander_.slave.disable());
+  pass(10s);
+  EXPECT_EQ(slaveState(), ArmState::Disabled) << "somebody looks for the cause";
+}
+
+TEST_F(AssistantTest, LeavesASystemDownOfWhichAnArmIsInFault) {
+  startWithConsole();
+  ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Homing; }));
+  failSlave();
+  ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Down; }));
+  pass(10s);
+  EXPECT_EQ(slaveState(), ArmState::Fault);
+  EXPECT_EQ(console_->console_state(), ConsoleState::Down);
+  ASSERT_TRUE(bystander_.slave.disable());
+  pass(10s);
+  EXPECT_EQ(slaveState(), ArmState::Disabled) << "somebody looks for the cause";
+}
+
+TEST_F(AssistantTest, LeavesASystemDownOfWhichSomebodyHasDisabledAnArm) {
+  startWithConsole();
+  ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Homing; }));
+  ASSERT_TRUE(bystander_.slave.disable());
+  ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Down; }));
+  pass(10s);
+  EXPECT_EQ(console_->console_state(), ConsoleState::Down);
+  EXPECT_EQ(slaveState(), ArmState::Disabled);
 }
 
 TEST_F(AssistantTest, BringsUpAgainWhatWentDownBeforeItWasUp) {

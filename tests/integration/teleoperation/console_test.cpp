@@ -4,6 +4,7 @@
 #include <suture/component/device.h>
 #include <suture/manager/manager.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct Onlooker final : suture::Device {
   Onlooker() {
     console.on().console_state([this](const ConsoleState& state) { states.push_back(state); });
     console.on().error([this](const suture::Message& error) { errors.push_back(error.text); });
+    console.on().warning([this](const suture::Message& news) { warnings.push_back(news.text); });
     note(master, "MTML");
     note(slave, "PSM2");
     teleop.on().teleop_state([this](const TeleopState& state) {
@@ -51,7 +53,7 @@ struct Onlooker final : suture::Device {
   suture::Required<Arm> master{*this, "Master"}, slave{*this, "Slave"};
   suture::Required<Teleoperation> teleop{*this, "Teleop"};
   std::vector<ConsoleState> states;
-  Names errors, order;
+  Names errors, warnings, order;
 };
 
 class ConsoleTest : public testing::Test {
@@ -85,6 +87,14 @@ class ConsoleTest : public testing::Test {
   void release() {
     EXPECT_TRUE(onlooker_.button.release());
     pass(50ms);
+  }
+  /// Makes the slave's drives say nothing for too long.
+  void failSlave() {
+    manager_.suspend("PSM2Drives");
+    EXPECT_TRUE(suture::clockOfTest().until(
+        [&] { return slave_.arm.operating_state().state == ArmState::Fault; }));
+    manager_.resume("PSM2Drives");
+    pass(100ms);
   }
   void bringUp() { EXPECT_TRUE(onlooker_.console.bring_up()); }
   bool becomes(ConsoleState wanted) {
@@ -188,8 +198,10 @@ TEST_F(ConsoleTest, BringsUpOnceByItselfWhenEverythingIsThere) {
 TEST_F(ConsoleTest, TakesBackABringUpInWhichAPartFails) {
   begin();
   release();
-  manager_.suspend("PSM2Drives");
-  pass(300ms);
+  EXPECT_TRUE(onlooker_.slave.enable());
+  pass(50ms);
+  EXPECT_TRUE(onlooker_.slave.pause());
+  pass(50ms);
   bringUp();
   pass(100ms);
   EXPECT_EQ(master_.arm.operating_state().state, ArmState::Enabled);
@@ -257,6 +269,53 @@ TEST_F(ConsoleTest, EndsBringingUpWhenAnArmIsDisabledMeanwhile) {
   look();
   EXPECT_EQ(onlooker_.errors, Names{"MTML is not enabled any more; all is taken back"});
   EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Disabled);
+}
+
+TEST_F(ConsoleTest, RefusesToBringUpAnArmInFault) {
+  begin();
+  release();
+  EXPECT_TRUE(onlooker_.slave.enable());
+  pass(50ms);
+  failSlave();
+  bringUp();
+  look();
+  EXPECT_EQ(onlooker_.errors,
+            Names{"bring_up: PSM2 is in FAULT: remove the cause, then enable or disable it"});
+  EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Fault);
+  EXPECT_TRUE(onlooker_.slave.disable());
+  pass(50ms);
+  bringUp();
+  EXPECT_TRUE(becomes(ConsoleState::Up));
+}
+
+TEST_F(ConsoleTest, LeavesAnArmInFaultAsItTakesABringUpBack) {
+  begin();
+  release();
+  EXPECT_TRUE(onlooker_.slave.trajectory_j_set_ratio(0.05));  // it is long on its way home
+  bringUp();
+  ASSERT_TRUE(becomes(ConsoleState::Homing));
+  failSlave();
+  ASSERT_TRUE(becomes(ConsoleState::Down));
+  pass(5s);
+  look();
+  EXPECT_EQ(onlooker_.errors, Names{"PSM2 is in FAULT: remove the cause, then enable or disable "
+                                    "it; all is taken back"});
+  EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Fault);
+  EXPECT_EQ(master_.arm.operating_state().state, ArmState::Disabled);
+}
+
+TEST_F(ConsoleTest, TellsWhichArmHasLostItsPower) {
+  begin();
+  release();
+  bringUp();
+  ASSERT_TRUE(becomes(ConsoleState::Up));
+  look();
+  EXPECT_TRUE(onlooker_.warnings.empty());
+  EXPECT_TRUE(onlooker_.button.press());
+  look();
+  std::sort(onlooker_.warnings.begin(), onlooker_.warnings.end());
+  EXPECT_EQ(onlooker_.warnings, (Names{"MTML has no power, or may not have it",
+                                       "PSM2 has no power, or may not have it"}));
 }
 
 TEST_F(ConsoleTest, IsIncompleteWhileAMoverIsDisabled) {
