@@ -2,8 +2,5 @@
 #include <suture/annotate.h>
 #include <suture/component/component.h>
 namespace detail {
-class SUTURE_COMPONENT() Arm : public suture::EventTask {
- public:
-  void run() override {}
-};
+class SUTURE_COMPONENT() Arm : public suture::EventTask {};
 }  // namespace detail
