@@ -60,7 +60,6 @@ class Required<suture::Messages> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-
   /// Subscribes to the events of suture::Messages.
   struct Events {
     explicit Events(RequiredBase& required)
