@@ -125,8 +125,10 @@ std::optional<RestartBudget> Deployment::readRestart(const json& component,
                                                      const std::string& pointer) {
   const auto given = component.find("restart");
   if (given == component.end()) return std::nullopt;
-  return RestartBudget{.most = given->at("most"),
-                       .per = readLength(*given, "per", "", pointer + "/restart")};
+  const RestartBudget budget{.most = given->at("most"),
+                             .per = readLength(*given, "per", "", pointer + "/restart")};
+  if (budget.per == Duration{0}) return std::nullopt;  // that has been reported
+  return budget;
 }
 
 std::optional<BlackBoxEntry> Deployment::readBlackBox(const json& process,
