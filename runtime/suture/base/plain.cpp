@@ -19,15 +19,15 @@ std::string plain(const std::string& text) {
 }
 
 void assignCut(std::string& out, std::string_view text, std::size_t capacity) {
-  constexpr std::string_view kCut = "...";
+  constexpr std::string_view kDots = "...";
   if (text.size() <= capacity) {
     out = text;
     return;
   }
-  std::size_t length = capacity - kCut.size();
+  std::size_t length = capacity - kDots.size();
   while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
   out = text.substr(0, length);
-  out += kCut;
+  out += kDots;
 }
 
 std::string quotedForShell(std::string_view text) {
