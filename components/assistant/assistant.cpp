@@ -1,12 +1,20 @@
 #include "assistant/assistant.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "arm/arm_warning.h"
 #include "parameters/valid_time.h"
 
 namespace robots {
+namespace {
+
+// What stops at most this long before or after a loss of power has stopped by it: news of both come
+// by connections of their own, which are made anew one after the other after a cut.
+constexpr suture::Duration kSameCause = std::chrono::seconds(2);
+
+}  // namespace
 
 Assistant::Assistant(const AssistantParameters& parameters)
     : PeriodicTask({.period = parameters.period}), parameters_(parameters) {
@@ -57,7 +65,7 @@ void Assistant::hear(const ConsoleState& state) {
 void Assistant::losePower() {
   lost_ = suture::now();
   for (Waiting* const one : {&consoleWaits_, &leftWaits_, &rightWaits_, &guidanceWaits_}) {
-    one->lostPower = one->lostPower || (one->since && lost_ - *one->since <= parameters_.patience);
+    one->lostPower = one->lostPower || (one->since && lost_ - *one->since <= kSameCause);
     one->asked = false;
   }
 }
@@ -120,7 +128,7 @@ void Assistant::tell(Waiting& waiting, bool waits) const {
   if (!waits) return;
   const suture::Time now = suture::now();
   waiting.since = now;
-  waiting.lostPower = pressed_ || now - lost_ <= parameters_.patience;
+  waiting.lostPower = pressed_ || now - lost_ <= kSameCause;
 }
 
 }  // namespace robots

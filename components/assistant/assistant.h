@@ -25,7 +25,7 @@ struct SUTURE_TYPE() AssistantParameters {
   suture::Duration release_after = std::chrono::seconds(1);
   /// It enables what has waited for its arms for this long since they lost their power, and brings
   /// up what has failed to come up for this reason, with power permitted. A person would look
-  /// first. What stops at most this long before or after such a loss has stopped by it.
+  /// first. What stops within two seconds of such a loss has stopped by it.
   suture::Duration patience = std::chrono::milliseconds(500);
 };
 

@@ -42,6 +42,8 @@ class ArmPart {
   explicit ArmPart(suture::Required<Arm>& arm) : arm_(arm), hearing_(arm) {
     arm_.on().operating_state([this](const OperatingState& state) {
       state_ = state.state;
+      // It could not say what took its power while it was cut off.
+      if (std::exchange(wasCutOff_, false)) lostPower_ = lostPower_ || state_ == ArmState::Disabled;
       homed_ = state.is_homed;
       busy_ = state.is_busy;
       hasMoved_ = hasMoved_ || state.is_busy;
@@ -58,6 +60,7 @@ class ArmPart {
   /// Call this once a cycle.
   void look() {
     if (hearing_.look()) return;
+    if (state_ == ArmState::Enabled) lostPower_ = wasCutOff_ = true;
     state_ = ArmState::Undefined;
     homed_ = busy_ = false;
   }
@@ -70,7 +73,8 @@ class ArmPart {
   /// Returns true for an arm without power, which may be in FAULT.
   bool isDown() const { return !isThere() || state_ == ArmState::Disabled || isFaulted(); }
   /// Returns true if it has said since the last call that its drives lost their power, or may not
-  /// have it.
+  /// have it. An enabled arm that is cut off is thought to have lost it, and again if it comes back
+  /// disabled.
   bool hasLostPower() { return std::exchange(lostPower_, false); }
 
   /// Says that a bring-up begins.
@@ -91,6 +95,7 @@ class ArmPart {
   bool busy_ = false;
   bool hasMoved_ = false;  // since the bring-up began
   bool lostPower_ = false;
+  bool wasCutOff_ = false;  // while it was enabled, and it has said nothing since
 };
 
 /// Is what moves arms: a teleoperation or a guide.

@@ -132,7 +132,7 @@ void SystemConsole::run() {
 void SystemConsole::tellLostPower() {
   for (ArmPart* one : arms_) {
     if (!one->hasLostPower()) continue;
-    text_.assign(one->name()).append(" has no power, or may not have it");
+    text_.assign(one->name()).append(" has no power, may not have it, or is cut off");
     messages_.warning(text_, static_cast<std::uint32_t>(ArmWarning::PowerLost));
   }
 }

@@ -15,5 +15,5 @@ struct AssistantParameters @0xbd0af4013de1de7e $Meta.cxx("robots::AssistantParam
   patience @3 :Int64 = 500000000 $Meta.period("1/1000000000");
   # It enables what has waited for its arms for this long since they lost their power, and brings
   # up what has failed to come up for this reason, with power permitted. A person would look
-  # first. What stops at most this long before or after such a loss has stopped by it.
+  # first. What stops within two seconds of such a loss has stopped by it.
 }

@@ -164,6 +164,20 @@ TEST_F(AssistantTest, EnablesAgainWhatStoppedByItselfButNotAtOnce) {
   EXPECT_TRUE(until([this] { return follows(); }));
 }
 
+TEST_F(AssistantTest, EnablesAgainWhatLostItsPowerWhileItWasCutOff) {
+  startWithConsole();
+  ASSERT_TRUE(until([this] { return follows() && isUp(); }));
+  for (const char* const one : {"Console/PSM2", "Teleop/Slave", "PSMDrives/Stop"}) {
+    manager_.disconnect(one);
+  }
+  ASSERT_TRUE(until([this] { return slaveState() == ArmState::Disabled; }));
+  pass(3s);
+  manager_.connect("Console/PSM2", "PSM/Arm");
+  manager_.connect("Teleop/Slave", "PSM/Arm");
+  manager_.connect("PSMDrives/Stop", "Coordinator/Stop");
+  EXPECT_TRUE(until([this] { return follows() && isUp(); }));
+}
+
 TEST_F(AssistantTest, LeavesAnArmDisabledThatSomebodyHasDisabled) {
   startWithConsole();
   ASSERT_TRUE(until([this] { return follows() && isUp(); }));

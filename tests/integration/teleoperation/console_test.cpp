@@ -314,8 +314,8 @@ TEST_F(ConsoleTest, TellsWhichArmHasLostItsPower) {
   EXPECT_TRUE(onlooker_.button.press());
   look();
   std::sort(onlooker_.warnings.begin(), onlooker_.warnings.end());
-  EXPECT_EQ(onlooker_.warnings, (Names{"MTML has no power, or may not have it",
-                                       "PSM2 has no power, or may not have it"}));
+  EXPECT_EQ(onlooker_.warnings, (Names{"MTML has no power, may not have it, or is cut off",
+                                       "PSM2 has no power, may not have it, or is cut off"}));
 }
 
 TEST_F(ConsoleTest, IsIncompleteWhileAMoverIsDisabled) {
