@@ -4,6 +4,7 @@
 #include "cli/text/screen.h"
 #include "cli/verbs.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -66,6 +67,12 @@ void tell(const std::string& title, const Json& complaints) {
   }
 }
 
+/// A warning is no failure of the call, because it may be about what another client streams.
+bool hasError(const Json& complaints) {
+  return std::any_of(complaints.begin(), complaints.end(),
+                     [](const Json& one) { return textAt(one, "event") == "error"; });
+}
+
 }  // namespace
 
 int call(rpc::EventPort& loop, const Options& options) {
@@ -84,7 +91,7 @@ int call(rpc::EventPort& loop, const Options& options) {
     print(answerText(command, answer));
     tell("call " + command.name + " of " + provider.contract().title(), heard);
   }
-  return heard.empty() ? 0 : 1;
+  return hasError(heard) ? 1 : 0;
 }
 
 }  // namespace suture::cli
