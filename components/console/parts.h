@@ -77,7 +77,7 @@ class ArmPart {
   /// disabled.
   bool hasLostPower() { return std::exchange(lostPower_, false); }
 
-  /// Says that a bring-up begins.
+  /// Says that a bring-up begins, or goes on after a pause.
   void begin() { hasMoved_ = false; }
   void enable() { (void)arm_.enable(); }
   /// Asks the arm to home. One that has begun to move is not asked again, because somebody may have

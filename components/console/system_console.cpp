@@ -10,6 +10,8 @@ namespace robots {
 namespace {
 
 constexpr suture::Duration kAskAgain = std::chrono::milliseconds(500);
+// Arms on their way home stop in a pause of the machine, which this console then sees as well.
+constexpr suture::Duration kPause = std::chrono::milliseconds(50);
 constexpr std::size_t kLongestText = 255;
 constexpr std::string_view kInFault = "is in FAULT: remove the cause, then enable or disable it";
 
@@ -116,6 +118,9 @@ void SystemConsole::nameMissing(std::string_view name, std::string_view what) {
 
 void SystemConsole::run() {
   look();
+  if (cycles_.missed(kPause)) {
+    for (ArmPart* one : arms_) one->begin();  // so that they are asked to home again
+  }
   tellLostPower();
   switch (state_) {
     case ConsoleState::Down:

@@ -18,6 +18,7 @@
 #include "console/console.suture.h"
 #include "console/parts.h"
 #include "coordinator/emergency_stop.suture.h"
+#include "timing/cycle_watch.h"
 
 namespace robots {
 
@@ -86,6 +87,7 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   ArmPart mtmlPart_{mtml_}, mtmrPart_{mtmr_}, psm1Part_{psm1_}, psm2Part_{psm2_};
   MoverPart teleopLPart_{teleopL_}, teleopRPart_{teleopR_}, guidePart_{guide_};
 
+  CycleWatch cycles_;
   std::vector<ArmPart*> arms_;      // of the system, in order
   std::vector<MoverPart*> movers_;  // of the system, in order
   Hearing stopHearing_;

@@ -246,6 +246,21 @@ TEST_F(ConsoleTest, DoesNotHomeAHeldArmAgain) {
             Names{"PSM2 is not homed after the console's patience; all is taken back"});
 }
 
+// An arm that has not run for a while holds, and nobody has asked it to.
+TEST_F(ConsoleTest, HomesAnArmAgainThatAPauseOfTheMachineStopped) {
+  begin();
+  release();
+  bringUp();
+  ASSERT_TRUE(becomes(ConsoleState::Homing));
+  ASSERT_TRUE(suture::clockOfTest().until([&] { return slave_.arm.operating_state().is_busy; }));
+  for (const char* const one : {"Console", "PSM2"}) manager_.suspend(one);
+  pass(200ms);
+  for (const char* const one : {"PSM2", "Console"}) manager_.resume(one);
+  EXPECT_TRUE(becomes(ConsoleState::Up));
+  look();
+  EXPECT_EQ(onlooker_.errors, Names{});
+}
+
 TEST_F(ConsoleTest, HomesAnArmThatWasMovedBeforeTheBringUp) {
   begin();
   release();
