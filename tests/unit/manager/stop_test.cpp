@@ -11,10 +11,12 @@
 
 #include <atomic>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "reference/still_arm.h"
 #include "support/eventually.h"
@@ -163,11 +165,15 @@ TEST_P(StopOfADevice, LeavesTheOutcomeOfTheCallThatRunsOpen) {
 }
 
 TEST_P(StopOfADevice, IsNotAskedForInItsHandler) {
-  std::string refused;
-  arm_.handling = [&] { refused = refusal([&] { robot_.stop(); }); };
+  std::promise<std::string> refused;
+  arm_.handling = [&, first = true]() mutable {
+    std::string why = refusal([&] { robot_.stop(); });
+    if (std::exchange(first, false)) refused.set_value(std::move(why));
+  };
   arm_.handler.end();
   EXPECT_TRUE(client_.slave.reset.start().within(kPatience));
-  EXPECT_NE(refused.find("in its own thread"), std::string::npos) << refused;
+  const std::string why = refused.get_future().get();
+  EXPECT_NE(why.find("in its own thread"), std::string::npos) << why;
   EXPECT_TRUE(client_.slave.reset.start().within(kPatience)) << "a part of it has ended";
 }
 
