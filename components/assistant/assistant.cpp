@@ -10,8 +10,8 @@
 namespace robots {
 namespace {
 
-// What stops at most this long before or after a loss of power has stopped by it: news of both come
-// by connections of their own, which are made anew one after the other after a cut.
+// A part that stops at most this long before or after a loss of power has stopped by it. The news
+// of both come by connections of their own, which are made anew one after the other after a cut.
 constexpr suture::Duration kSameCause = std::chrono::seconds(2);
 
 }  // namespace

@@ -51,7 +51,7 @@ std::vector<kj::AutoCloseFd> queueAt(const Address& address, std::size_t count) 
   return sockets;
 }
 
-// Who connects faster than connections are accepted must not keep the loop from its other
+// A crowd that connects faster than connections are accepted must not keep the loop from its other
 // sockets.
 TEST_P(ListenerTest, ACrowdLeavesTheOthersTheirTurns) {
   constexpr std::size_t kCrowd = 120;
