@@ -27,6 +27,9 @@ std::string nearestName(std::string_view name, const std::vector<std::string>& c
   std::string best;
   std::size_t bestDistance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
+    // Each byte that one has more is an edit; a peer may ask for a name of megabytes.
+    if (candidate.size() >= name.size() + bestDistance) continue;
+    if (name.size() >= candidate.size() + bestDistance) continue;
     const std::size_t distance = editDistance(name, candidate);
     if (distance < bestDistance) {
       bestDistance = distance;

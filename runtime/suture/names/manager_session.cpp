@@ -89,6 +89,11 @@ class SessionServer final : public wire::Session::Server {
   kj::Promise<void> resolve(ResolveContext context) override {
     const std::string name = stringOf(context.getParams().getProcess());
     const std::uint32_t wait = context.getParams().getWaitMilliseconds();
+    if (const auto refusal = Registry::whyTooLong(name)) {
+      asker_.refuse(*refusal, context.getResults().initRefused());
+      return kj::READY_NOW;
+    }
+    context.releaseParams();  // many calls may wait, and a message may be large
     const bool waits = wait != 0 && names_->registry().find(name) == nullptr;
     if (waits && !names_->hasRoom()) {
       asker_.refuse({Kind::LIMIT_REACHED, "find process '" + name +

@@ -136,6 +136,12 @@ void Registry::remove(const std::string& name, std::uint64_t generation) {
   if (held(name, generation) != nullptr) erase(processes_.find(name));
 }
 
+std::optional<Refusal> Registry::whyTooLong(const std::string& name) {
+  if (name.size() <= kMaxName) return std::nullopt;
+  return Refusal{Kind::MALFORMED, "find a process by a name of " + inBytes(name.size()) +
+                                      ": a name has 1 to 100 characters. Choose another name."};
+}
+
 const ProcessRecord* Registry::find(const std::string& name) const {
   const auto found = processes_.find(name);
   if (found == processes_.end() || found->second.process.silent) return nullptr;

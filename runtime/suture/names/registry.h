@@ -44,6 +44,8 @@ class Registry {
   /// Frees the name. Does nothing if it has gone to a later generation.
   void remove(const std::string& name, std::uint64_t generation);
 
+  /// Returns a refusal for a name that no process can have, because it is too long.
+  static std::optional<Refusal> whyTooLong(const std::string& name);
   /// Returns null if there is no such process, or it is silent.
   const ProcessRecord* find(const std::string& name) const;
   /// Has processes in the order of their names, the silent ones too.

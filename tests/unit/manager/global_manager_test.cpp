@@ -186,6 +186,16 @@ TEST_P(GlobalManagerTest, WaitersAreBounded) {
   other.join();
 }
 
+// It would be kept as long as the answer is awaited, and compared with all names that there are.
+TEST_P(GlobalManagerTest, ResolvesNoNameThatIsTooLong) {
+  auto peer = enrolled("left");
+  const std::string longest(100, 'n'), longer(std::size_t{1} << 20, 'n');
+  EXPECT_TRUE(contains(refusal([&] { peer->resolve(longest); }), "the manager knows 'left'"));
+  EXPECT_TRUE(
+      contains(refusal([&] { peer->resolve(longer, kPatience); }),
+               "find a process by a name of 1048576 bytes: a name has 1 to 100 characters"));
+}
+
 TEST_P(GlobalManagerTest, AManagerThatComesBackRelearnsItsProcesses) {
   auto left = enrolled("left"), right = enrolled("right");
   manager_.reset();

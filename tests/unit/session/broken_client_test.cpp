@@ -91,6 +91,30 @@ class Client : public reference::PlayedClient {
           .ignoreResult();
     });
   }
+  /// Opens an interface. Returns what that is refused with.
+  std::string open(const std::string& component, const std::string& interface) {
+    return control_.run(kPatience, [&] {
+      auto request = peer().openRequest();
+      request.setComponent(component.c_str());
+      request.setInterface(interface.c_str());
+      return request.send().then([this](auto&& results) {
+        if (results.isRefused()) return fromWire(results.getRefused()).text;
+        opened_.push_back(results.getContract());
+        return std::string();
+      });
+    });
+  }
+  /// Asks for the contract of an interface. Returns what that is refused with.
+  std::string explain(const std::string& component, const std::string& interface) {
+    return control_.run(kPatience, [&] {
+      auto request = peer().explainRequest();
+      request.setComponent(component.c_str());
+      request.setInterface(interface.c_str());
+      return request.send().then([](auto&& results) {
+        return results.isRefused() ? fromWire(results.getRefused()).text : std::string();
+      });
+    });
+  }
   /// Opens the arm so often. Returns what the last attempt is refused with.
   std::string openArm(std::size_t times) {
     std::string refused;
@@ -190,19 +214,7 @@ class Client : public reference::PlayedClient {
   }
 
  private:
-  std::string openArm() {
-    return control_.run(kPatience, [this] {
-      auto request = peer().openRequest();
-      request.setComponent("PSM");
-      request.setInterface("Arm");
-      return request.send().then([this](auto&& results) {
-        if (results.isRefused()) return fromWire(results.getRefused()).text;
-        opened_.push_back(results.getContract());
-        return std::string();
-      });
-    });
-  }
-
+  std::string openArm() { return open("PSM", "Arm"); }
   kj::Own<rpc::Link> link_;
   std::vector<kj::Promise<bool>> asked_;
   std::vector<kj::Own<kj::PromiseFulfiller<wire::SharedMemory::Client>>> bells_;
@@ -247,6 +259,10 @@ TEST_F(BrokenClient, HasNamesWithoutEnd) {
       [&](auto request) { request.setHash(longer.c_str()); }};
   for (const auto& change : changes) {
     EXPECT_EQ(client.connectAs(change), "talk to process 'robot" + why);
+  }
+  for (const auto& [component, interface] : {std::pair(longer, longest), {longest, longer}}) {
+    EXPECT_EQ(client.open(component, interface), "talk to process 'robot" + why);
+    EXPECT_EQ(client.explain(component, interface), "talk to process 'robot" + why);
   }
   EXPECT_EQ(client.connectAs([&](auto request) { request.setRequired(longest.c_str()); }), "");
   client.watch(longest);

@@ -354,7 +354,9 @@ void PeerServer::cutOff(const std::string& why) {
 kj::Promise<void> PeerServer::open(OpenContext context) {
   auto in = context.getParams();
   const Endpoint endpoint = endpointOf(in.getComponent(), in.getInterface());
-  if (const auto withheld = whyNotGiven(endpoint)) {
+  auto withheld = admission_.whyNotNames({in.getComponent(), in.getInterface()});
+  if (!withheld) withheld = whyNotGiven(endpoint);
+  if (withheld) {
     refuse(*withheld, context.getResults().initRefused());
     return kj::READY_NOW;
   }
@@ -395,6 +397,11 @@ kj::Promise<void> PeerServer::explain(ExplainContext context) {
       },
       [this, context](const Refusal& refusal) mutable {
         refuse(refusal, context.getResults().initRefused());
+  if (const auto refusal = admission_.whyNotNames({in.getComponent(), in.getInterface()})) {
+    refuse(*refusal, context.getResults().initRefused());
+    return kj::READY_NOW;
+  }
+  context.allowCancellation();  // the process may leave before it publishes
       });
 }
 
