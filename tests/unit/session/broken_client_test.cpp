@@ -115,6 +115,15 @@ class Client : public reference::PlayedClient {
       });
     });
   }
+  /// Asks what the process has, and awaits no answer.
+  void askForAll() {
+    control_.run(kPatience, [this] {
+      wire::Peer::Client robot = peer();
+      asked_.push_back(robot.describeRequest().send().then([](auto&&) { return true; },
+                                                           [](kj::Exception&&) { return false; }));
+      return robot.pingRequest().send().ignoreResult();
+    });
+  }
   /// Opens the arm so often. Returns what the last attempt is refused with.
   std::string openArm(std::size_t times) {
     std::string refused;
@@ -303,6 +312,18 @@ TEST_F(BrokenClient, NeverLetsGoOfWhatItOpens) {
   EXPECT_EQ(client.openArm(1),
             "use 'robot:PSM/Arm': this process has been given 1024 interfaces, and none is given "
             "more. Let go of some.");
+}
+
+// What a client has, and what it awaits, ends with the process.
+TEST_F(BrokenClient, AwaitsAProcessThatLeavesBeforeItHasStarted) {
+  auto starting = std::make_unique<Manager>("starting", manager());
+  starting->add("PSM", psmAgain);
+  Client client(manager(), "starting");
+  client.greet();
+  ASSERT_EQ(client.open("PSM", "Arm"), "");
+  client.askForAll();
+  starting.reset();
+  EXPECT_EQ(client.given(), 0u);
 }
 
 // What waits for the start of the process is given all at once.

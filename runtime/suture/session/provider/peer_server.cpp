@@ -118,6 +118,7 @@ void PeerServer::putTasks(wire::Peer::PingResults::Builder results) const {
 
 kj::Promise<void> PeerServer::describe(DescribeContext context) {
   return host_.whenPublished_.addBranch().then([this, context]() mutable {
+  context.allowCancellation();  // the process may leave before it publishes
     const auto components = describeComponents(host_.directory_);
     toWire(components,
            context.getResults().initComponents(static_cast<unsigned>(components.size())));
@@ -323,6 +324,7 @@ kj::Promise<void> PeerServer::socket(SocketContext context) {
 kj::Promise<void> PeerServer::awaitSocket(LaneServer& lane, SocketContext& context) {
   // A client gives up a socket that does not come, and asks for another.
   if (sockets_.size() == kMostAwaitedSockets) sockets_.erase(sockets_.begin());
+  context.allowCancellation();  // the process may leave before it publishes
   Places& places = host_.secondSockets_;
   if (!places.anyFree()) {
     const std::string why = "open a second connection to process '" + host_.directory_.process() +
@@ -395,13 +397,13 @@ kj::Promise<void> PeerServer::explain(ExplainContext context) {
         suture::explain(info, context.getResults().initExplained());
         return kj::READY_NOW;
       },
-      [this, context](const Refusal& refusal) mutable {
-        refuse(refusal, context.getResults().initRefused());
   if (const auto refusal = admission_.whyNotNames({in.getComponent(), in.getInterface()})) {
     refuse(*refusal, context.getResults().initRefused());
     return kj::READY_NOW;
   }
   context.allowCancellation();  // the process may leave before it publishes
+      [this, context](const Refusal& refusal) mutable {
+        refuse(refusal, context.getResults().initRefused());
       });
 }
 
