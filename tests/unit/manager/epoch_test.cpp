@@ -79,6 +79,11 @@ class Caller {
                         [=, this] { return greet().then([=, this] { return ask(epoch, lane); }); });
   }
 
+  /// Does so in the session that stands already.
+  std::string askAgain(std::int64_t epoch) {
+    return control_.run(kPatience, [=, this] { return ask(epoch, Lane::Rpc); });
+  }
+
   /// Does so twice by shared memory, whose provider waits for a descriptor, and for no answer.
   void connectTwice(std::int64_t first, std::int64_t second) {
     control_.run(kPatience, [=, this] {
@@ -208,6 +213,23 @@ TEST_F(Epochs, OneThatComesTooLateIsRefused) {
             "has come first. Nothing has to be done.");
   EXPECT_EQ(standing(), 1u);
   EXPECT_EQ(there_.refusals().count, 1u);
+}
+
+// A process that was stopped for so long that its name went to another goes on with its session.
+TEST_F(Epochs, AnEarlierProcessOfTheNameTakesNothingBack) {
+  Caller first(provider_, "a", 1);
+  EXPECT_EQ(first.connect(5), "");
+  {
+    Caller second(provider_, "a", 2);
+    EXPECT_EQ(second.connect(6), "");
+    EXPECT_EQ(first.askAgain(7),
+              "connecting left:Teleop/Slave -> there:PSM/Arm: another process of the same name "
+              "came later and has this connection. End one of the two.");
+    EXPECT_EQ(second.closed, 0);
+    EXPECT_EQ(second.askAgain(8), "") << "the later one may connect anew";
+  }
+  ASSERT_TRUE(eventually([&] { return standing() == 0; }));
+  EXPECT_EQ(first.askAgain(9), "") << "the later one has gone";
 }
 
 // It would misread what lies in shared memory and in frames.

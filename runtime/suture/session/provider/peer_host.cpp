@@ -55,11 +55,23 @@ std::vector<std::shared_ptr<Channel>> PeerHost::served() const {
   return served_;
 }
 
-bool PeerHost::isSuperseded(const std::string& client, const std::string& bootId,
-                            std::int64_t epoch) const {
+// A process that stood still may have lost its name to another meanwhile: it goes on with its
+// session, asks last, and must not take the connection back from the one that has the name.
+std::string PeerHost::whySuperseded(const std::string& client, const std::string& name,
+                                    const Latest& asked) const {
   const auto held = latest_.find(client);
-  return epoch != 0 && held != latest_.end() && held->second.bootId == bootId &&
-         epoch < held->second.epoch;
+  if (held == latest_.end()) return "";
+  const Latest& latest = held->second;
+  if (latest.bootId == asked.bootId && asked.epoch < latest.epoch) {
+    return "connecting " + name +
+           ": a later attempt of the same interface has come first. Nothing has to be done.";
+  }
+  if (latest.incarnation != asked.incarnation && asked.greeting < latest.greeting) {
+    return "connecting " + name +
+           ": another process of the same name came later and has this connection. End one of the "
+           "two.";
+  }
+  return "";
 }
 
 void PeerHost::endLatest(const std::string& client) {

@@ -52,11 +52,16 @@ class PeerHost {
   struct Latest {
     std::string bootId;  // of the peer's machine, whose clock gave the epoch
     std::int64_t epoch;
+    std::uint64_t incarnation;  // of the peer's process; 0: it does not say
+    std::uint64_t greeting;     // which of all that this process has had began the session
     rpc::ProviderEnd* end;
   };
 
-  /// Returns true if there is a later connection than one of this epoch; 0 means that it has none.
-  bool isSuperseded(const std::string& client, const std::string& bootId, std::int64_t epoch) const;
+  std::uint64_t nextGreeting() { return ++greetings_; }
+  /// Returns why the connection `name`, which has no end yet, may not take the place of the latest
+  /// one of `client`; "" if it may.
+  std::string whySuperseded(const std::string& client, const std::string& name,
+                            const Latest& asked) const;
   /// Ends the latest connection, ahead of a later one.
   void endLatest(const std::string& client);
   void setLatest(const std::string& client, const Latest& latest) { latest_[client] = latest; }
@@ -91,6 +96,7 @@ class PeerHost {
   std::map<std::pair<std::string, std::uint64_t>, std::weak_ptr<Ledger>> attempted_;
   Ledger::History history_ = Ledger::History::Whole;
   std::map<std::string, Latest> latest_;  // by required interface, with its process
+  std::uint64_t greetings_ = 0;
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Channel>> served_;
   AwaitedSockets sockets_;

@@ -75,6 +75,7 @@ kj::Promise<void> PeerServer::hello(HelloContext context) {
   } else {
     bootId_ = stringOf(in.getBootId());
     incarnation_ = in.getIncarnation();
+    greeting_ = host_.nextGreeting();
     caller_->known = true;
     results.setAccepted();
   }
@@ -117,8 +118,8 @@ void PeerServer::putTasks(wire::Peer::PingResults::Builder results) const {
 }
 
 kj::Promise<void> PeerServer::describe(DescribeContext context) {
-  return host_.whenPublished_.addBranch().then([this, context]() mutable {
   context.allowCancellation();  // the process may leave before it publishes
+  return host_.whenPublished_.addBranch().then([this, context]() mutable {
     const auto components = describeComponents(host_.directory_);
     toWire(components,
            context.getResults().initComponents(static_cast<unsigned>(components.size())));
@@ -226,14 +227,20 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
   }
 }
 
+PeerHost::Latest PeerServer::latestAt(ConnectContext& context, rpc::ProviderEnd* end) const {
+  return {.bootId = bootId_,
+          .epoch = context.getParams().getEpoch(),
+          .incarnation = incarnation_,
+          .greeting = greeting_,
+          .end = end};
+}
+
 // One required interface has one connection: the latest.
 bool PeerServer::takesOver(const std::string& client, const std::string& name,
                            ConnectContext& context) {
-  if (host_.isSuperseded(client, bootId_, context.getParams().getEpoch())) {
-    refuse({Kind::ALREADY_CONNECTED,
-            "connecting " + name +
-                ": a later attempt of the same interface has come first. Nothing has to be done."},
-           context.getResults().initRefused());
+  const std::string why = host_.whySuperseded(client, name, latestAt(context, nullptr));
+  if (!why.empty()) {
+    refuse({Kind::ALREADY_CONNECTED, why}, context.getResults().initRefused());
     return false;
   }
   host_.endLatest(client);
@@ -283,7 +290,7 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   ledger->begin(accepted.channel, incarnation_);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   keep({kj::addRef(end), accepted.channel, asked.place});
-  if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
+  if (in.getEpoch() != 0) host_.setLatest(asked.client, latestAt(context, &end));
   auto out = context.getResults().getAccepted();
   out.setLacking(kj::arrayPtr(asked.match.lacking.data(), asked.match.lacking.size()));
   out.setRows(static_cast<std::uint32_t>(asked.connection.provided.state()->capacity()));
@@ -317,6 +324,7 @@ kj::Promise<void> PeerServer::socket(SocketContext context) {
   if (!caller_->known) {
     return rpc::failure(Type::FAILED, "a second connection is for whoever has said hello");
   }
+  context.allowCancellation();  // the process may leave before it publishes
   return whenLane(stringOf(context.getParams().getLane()))
       .then([this, context](LaneServer* lane) mutable { return awaitSocket(*lane, context); });
 }
@@ -324,7 +332,6 @@ kj::Promise<void> PeerServer::socket(SocketContext context) {
 kj::Promise<void> PeerServer::awaitSocket(LaneServer& lane, SocketContext& context) {
   // A client gives up a socket that does not come, and asks for another.
   if (sockets_.size() == kMostAwaitedSockets) sockets_.erase(sockets_.begin());
-  context.allowCancellation();  // the process may leave before it publishes
   Places& places = host_.secondSockets_;
   if (!places.anyFree()) {
     const std::string why = "open a second connection to process '" + host_.directory_.process() +
@@ -390,6 +397,11 @@ kj::Promise<void> PeerServer::explain(ExplainContext context) {
   auto in = context.getParams();
   const Endpoint endpoint = endpointOf(in.getComponent(), in.getInterface());
   const bool required = in.getSide() == wire::Peer::Side::REQUIRED;
+  if (const auto refusal = admission_.whyNotNames({in.getComponent(), in.getInterface()})) {
+    refuse(*refusal, context.getResults().initRefused());
+    return kj::READY_NOW;
+  }
+  context.allowCancellation();  // the process may leave before it publishes
   return whenThere(
       [this, context, endpoint, required]() mutable -> kj::Promise<void> {
         const InterfaceInfo& info = required ? host_.directory_.required(endpoint).info()
@@ -397,11 +409,6 @@ kj::Promise<void> PeerServer::explain(ExplainContext context) {
         suture::explain(info, context.getResults().initExplained());
         return kj::READY_NOW;
       },
-  if (const auto refusal = admission_.whyNotNames({in.getComponent(), in.getInterface()})) {
-    refuse(*refusal, context.getResults().initRefused());
-    return kj::READY_NOW;
-  }
-  context.allowCancellation();  // the process may leave before it publishes
       [this, context](const Refusal& refusal) mutable {
         refuse(refusal, context.getResults().initRefused());
       });

@@ -51,6 +51,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   Endpoint endpointOf(capnp::Text::Reader component, capnp::Text::Reader interface) const;
   kj::Promise<void> decide(ProvidedBase& provided, const Endpoint& endpoint,
                            ConnectContext& context, Places::Place place);
+  PeerHost::Latest latestAt(ConnectContext& context, rpc::ProviderEnd* end) const;
   bool takesOver(const std::string& client, const std::string& name, ConnectContext& context);
   /// Makes the connection by the lane that was asked for, or declines it.
   kj::Promise<void> accept(const Asked& asked);
@@ -73,6 +74,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   const Admission admission_;      // of the caller
   std::string bootId_;             // the peer's, as it said in hello
   std::uint64_t incarnation_ = 0;  // likewise
+  std::uint64_t greeting_ = 0;     // which of all that this process has had began this session
   const std::shared_ptr<PeerState> state_ = std::make_shared<PeerState>();  // the peer's
   std::vector<std::string> watched_;  // components that it gets reports of
   Places interfaces_;                 // taken from the question on, because an answer may take long
