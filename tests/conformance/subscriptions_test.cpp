@@ -111,6 +111,23 @@ TEST_P(WireSubscriptions, ALatchedEventIsReplayedToANewSubscriber) {
   }
 }
 
+TEST_P(Subscriptions, ALatchedValueThatWaitsReachesNoLaterHandler) {
+  std::vector<Mode> modes;
+  client->with([&](Arm& remote) {
+    arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().mode(Mode::Disabled)); });
+    ASSERT_TRUE(awaitInPlace(remote, [&] { return channel()->events.pending(); }));
+    EXPECT_TRUE(remote.on().mode.reset());
+    arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().mode(Mode::Enabled)); });
+    // The first answer may be of the cycle in which the event is emitted, and the second is not.
+    for (int i = 0; i < 2; ++i) EXPECT_TRUE(remote.hold.start().within(kPatience));
+    suture::pass(std::chrono::microseconds(1));  // or the event would be as new as the handler
+    EXPECT_TRUE(remote.on().mode([&](const Mode& mode) { modes.push_back(mode); }));
+  });
+  ASSERT_TRUE(client->await([&](const Received&) { return !modes.empty(); }));
+  settle();
+  EXPECT_EQ(seen(modes), std::vector<Mode>{Mode::Enabled});
+}
+
 TEST_P(Subscriptions, AHandlerMayEndItsOwnSubscription) {
   int arrivals = 0;
   client->with([&](Arm& remote) {

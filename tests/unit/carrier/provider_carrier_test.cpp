@@ -125,15 +125,17 @@ TEST_F(Provider, SendsEventsThatItEmittedBeforeItsClientSaidAnything) {
   EXPECT_EQ(events_, (Credits{{kStopped, 0}}));
 }
 
-TEST_F(Provider, SendsOnlyLatchedEventsFromBefore) {
+TEST_F(Provider, SendsNoEventThatWaitedWhenItsClientSubscribed) {
   const reference::Mode mode{};
+  const auto payload = std::as_bytes(std::span(&mode, 1));
   const Time before = now() - std::chrono::seconds(1);
   channel_->events.push(kStopped, before, {});
-  channel_->events.push(kMode, before, std::as_bytes(std::span(&mode, 1)));
+  channel_->events.push(kMode, before, payload);
   carrier_.subscribe({.number = 4,
                       .events = kModeOnly | kStoppedOnly,
                       .joining = kModeOnly | kStoppedOnly,
                       .columns = 0});
+  channel_->events.push(kMode, before, payload);  // the replay
   channel_->events.push(kStopped, now(), {});
   carrier_.give();
   EXPECT_EQ(events_, (Credits{{kMode, 4}, {kStopped, 4}}));

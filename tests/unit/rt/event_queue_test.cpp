@@ -70,6 +70,37 @@ TEST_P(FullEventQueue, KeepsTheOrderOfTheValuesItHolds) {
   EXPECT_EQ(heard(), (Values{3, 4}));
 }
 
+TEST_P(FullEventQueue, KeepsWhatWaitedFromASubscriberThatBeginsAnew) {
+  EXPECT_TRUE(push(kLatched, 1));
+  queue.beginAnew(kLatched);
+  EXPECT_EQ(heard(), Values{}) << "what was kept beside the queue";
+  EXPECT_TRUE(push(kLatched, 2));
+  queue.beginAnew(kLatched);
+  EXPECT_TRUE(push(kLatched, 3));
+  ASSERT_NE(queue.next(), nullptr);
+  EXPECT_TRUE(queue.fromBefore());
+  queue.pop();
+  ASSERT_NE(queue.next(), nullptr);
+  EXPECT_FALSE(queue.fromBefore());
+  queue.pop();
+}
+
+TEST_P(FullEventQueue, LeavesAValueWhileItIsHandled) {
+  while (queue.next() != nullptr) queue.pop();
+  while (push(kQueued, 0)) continue;
+  EXPECT_TRUE(push(kLatched, 1));
+  const EventRecord* record = queue.next();
+  while (record->event != kLatched) queue.pop(), record = queue.next();
+  while (push(kQueued, 0)) continue;
+  EXPECT_TRUE(push(kLatched, 2));
+  queue.beginAnew(kLatched);
+  std::uint64_t value;
+  std::memcpy(&value, record->payload(), sizeof(value));
+  EXPECT_EQ(value, 1u);
+  queue.pop();
+  EXPECT_EQ(heard(), Values{2});
+}
+
 INSTANTIATE_TEST_SUITE_P(Producers, FullEventQueue, testing::Values(Producers::One, Producers::Any),
                          [](const auto& one) {
                            return one.param == Producers::One ? "One" : "Any";

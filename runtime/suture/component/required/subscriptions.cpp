@@ -18,7 +18,7 @@ Errc Subscriptions::subscribe(std::uint16_t event, Handler handler, bool direct)
   if (handler == nullptr) return unsubscribe(event);
   Heard& heard = heard_[event];
   const bool joins = heard.handler == nullptr;
-  if (joins) heard.since = now();
+  if (joins) begin(event);
   heard.handler = std::make_shared<const Handler>(std::move(handler));
   heard.direct = direct;
   lendHandler(event);
@@ -26,6 +26,17 @@ Errc Subscriptions::subscribe(std::uint16_t event, Handler handler, bool direct)
   subscribed_.fetch_or(bit, std::memory_order_relaxed);
   passOn(joins ? bit : 0);
   return Errc{};
+}
+
+// The last value of a latched event is older than its subscription, as those are that wait in the
+// queue: so these are told apart by their place, and other events by their stamp, because they may
+// still be on their way.
+void Subscriptions::begin(std::uint16_t event) {
+  heard_[event].since = now();
+  Channel* const channel = attachment_.channel().get();
+  if (channel != nullptr && attachment_.info().events[event].latched) {
+    channel->events.beginAnew(event);
+  }
 }
 
 Errc Subscriptions::unsubscribe(std::uint16_t event) {
@@ -114,8 +125,7 @@ void Subscriptions::deliver(const rt::EventRecord& record) {
   }
   awaited_.satisfy(record);
   const Heard& heard = heard_[record.event];
-  // The value of a latched event may be older than its subscription, because it may be a replay.
-  if (record.stamp < heard.since && !info.latched) return;
+  if (info.latched ? channel.events.fromBefore() : record.stamp < heard.since) return;
   if (VirtualTime* const time = virtualTime(); time != nullptr) {
     time->note(VirtualTime::Kind::Event, attachment_.name().c_str(), info.name,
                channel.events.delivered());

@@ -61,6 +61,8 @@ class Subscriptions final : private Attachment::User {
   void leave() override { awaited_.endAll(Errc::Lost); }
   void join() override;
 
+  /// Keeps what waits of `event` from the handler that it gets now.
+  void begin(std::uint16_t event);
   /// Tells the provider's end what is subscribed to.
   void passOn(EventSet joining);
   /// Lets the provider run the handler of `event` itself, if it is direct and both are here.

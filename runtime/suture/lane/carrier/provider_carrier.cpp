@@ -36,8 +36,10 @@ Errc ProviderCarrier::whyNot(std::uint16_t command) const {
 void ProviderCarrier::subscribe(const Interest& interest) {
   const EventSet joining = interest.joining & interest.events;
   subscription_ = interest.number;
-  for (std::size_t i = 0; i < since_.size(); ++i) {
-    if (joining >> i & 1) since_[i] = now();
+  for (std::uint16_t i = 0; i < since_.size(); ++i) {
+    if ((joining >> i & 1) == 0) continue;
+    since_[i] = now();
+    if (channel_.info.events[i].latched) channel_.events.beginAnew(i);
   }
   channel_.client.subscribe(interest.events, joining);
   columns_ = channel_.state->existing(interest.columns);
@@ -100,10 +102,11 @@ void ProviderCarrier::giveEvents() {
   }
 }
 
-// The value of a latched event may be older than its subscription, because it may be a replay.
+// The last value of a latched event is older than its subscription, but has been put in since then.
 bool ProviderCarrier::wanted(const rt::EventRecord& record) const {
   if ((channel_.subscribed() >> record.event & 1) == 0) return false;
-  return record.stamp >= since_[record.event] || channel_.info.events[record.event].latched;
+  if (channel_.info.events[record.event].latched) return !channel_.events.fromBefore();
+  return record.stamp >= since_[record.event];
 }
 
 bool ProviderCarrier::giveRow() {

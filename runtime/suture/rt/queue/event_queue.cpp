@@ -11,6 +11,7 @@ EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers,
       producers_(producers),
       foreign_(arena.foreign()),
       ring_(events, forms_, producers, arena),
+      begin_(events.size()),
       counters_(arena.make<EventCounters>()) {
   for (const auto& event : events) {
     const bool hasCell = event.latest || event.latched;
@@ -75,19 +76,22 @@ bool EventQueue::push(std::uint16_t event, Time stamp, std::span<const std::byte
   return false;
 }
 
+bool EventQueue::take(std::size_t cell) {
+  return cells_[cell]->values.take([this, cell](std::byte* to, const std::byte* from, std::size_t) {
+    forms_.copyForeign(to, from, static_cast<std::uint16_t>(cell));
+  });
+}
+
 // Looks into the ring once more when it sees a queued event in a cell: events that came before that
 // one had room in the ring, perhaps after the last look.
 EventRecord* EventQueue::takeKept() {
-  const auto copy = [this](std::byte* to, const std::byte* from, std::size_t) {
-    forms_.copyForeign(to, from, static_cast<std::uint16_t>(cell_));
-  };
   for (cell_ = 0; cell_ < cells_.size(); ++cell_) {
     Cell* const cell = cells_[cell_].get();
     if (cell == nullptr || !cell->values.fresh()) continue;
     EventRecord* const earlier = cell->queued ? ring_.front() : nullptr;
     fromRing_ = earlier != nullptr;
     if (fromRing_) return earlier;
-    if (!cell->values.take(copy)) continue;
+    if (!take(cell_)) continue;
     return reinterpret_cast<EventRecord*>(const_cast<std::byte*>(cell->values.front()));
   }
   return nullptr;
@@ -124,8 +128,19 @@ const EventRecord* EventQueue::next() {
 void EventQueue::pop() {
   if (isShared(next_->event)) releaseSharedSlot(next_->payload());
   if (fromRing_) ring_.pop();
+  next_ = nullptr;
   increment(counters_->delivered);
 }
+
+// Leaves the value in a cell from which the handler of this event has its own just now: that
+// memory must not change, and the value is newer.
+void EventQueue::beginAnew(std::uint16_t event) {
+  begin_[event] = ring_.end();
+  const bool handled = next_ != nullptr && !fromRing_ && cell_ == event;
+  if (cells_[event] != nullptr && !handled && take(event)) increment(counters_->delivered);
+}
+
+bool EventQueue::fromBefore() const { return fromRing_ && ring_.position() < begin_[next_->event]; }
 
 bool EventQueue::pending() const {
   return ring_.pending() || std::any_of(cells_.begin(), cells_.end(), [](const auto& cell) {

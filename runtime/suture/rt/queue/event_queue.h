@@ -45,6 +45,11 @@ class EventQueue {
   /// returns must be followed by pop().
   const EventRecord* next();
   void pop();
+  /// The consumer, for a subscriber that begins now: what waits of `event` is not meant for it. A
+  /// queued one is still returned by next(), since somebody may await it, but is fromBefore().
+  void beginAnew(std::uint16_t event);
+  /// The consumer. Returns true if what next() returned waited already at beginAnew().
+  bool fromBefore() const;
   /// The consumer. Returns true if next() would return something.
   bool pending() const;
 
@@ -79,6 +84,7 @@ class EventQueue {
   void replace(Cell& cell, const EventRecord& record, std::span<const std::byte> payload);
   EventRecord* oldest();
   EventRecord* takeKept();
+  bool take(std::size_t cell);
   bool makePossible(EventRecord& record) const;
 
   const EventForms forms_;
@@ -91,7 +97,8 @@ class EventQueue {
   EventRing ring_;
   EventRecord* next_ = nullptr;  // what the last next() returned
   bool fromRing_ = false;
-  std::size_t cell_ = 0;  // if it is not from the ring
+  std::size_t cell_ = 0;              // if it is not from the ring
+  std::vector<std::uint64_t> begin_;  // by event: where in the ring beginAnew() found the end
   const std::shared_ptr<EventCounters> counters_;
 };
 

@@ -46,6 +46,9 @@ class EventRing {
   EventRecord* front();
   void pop();
   bool pending() const { return order_.pending(); }
+  /// The consumer. Returns the position of front(), and the one behind the last record that waits.
+  std::uint64_t position() const { return order_.position(); }
+  std::uint64_t end() const { return order_.end(); }
 
  private:
   // Stands in the shared ring for a record that lies in a cell of its event's own.

@@ -19,6 +19,16 @@ bool MpscRing::pending() const {
   return sequenceAt(head_).load(std::memory_order_acquire) == head_ + 1;
 }
 
+// Looks at no more cells than there are, because another process may have written any numbers.
+std::uint64_t MpscRing::end() const {
+  std::uint64_t position = head_;
+  while (position - head_ <= mask_ &&
+         sequenceAt(position).load(std::memory_order_acquire) == position + 1) {
+    ++position;
+  }
+  return position;
+}
+
 void MpscRing::release(std::uint64_t place) {
   auto& sequence = sequenceAt(place);
   sequence.store(sequence.load(std::memory_order_relaxed) + mask_ + 1, std::memory_order_release);

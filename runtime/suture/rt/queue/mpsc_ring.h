@@ -60,6 +60,10 @@ class MpscRing {
   const std::byte* front() { return front(copyAll); }
   /// The consumer. Releases the cell that front() returned.
   void pop();
+  /// The consumer. Returns the position of front(); the first was at 0.
+  std::uint64_t position() const { return head_; }
+  /// The consumer. Returns the position behind the last cell that front() could return by now.
+  std::uint64_t end() const;
 
  private:
   const std::byte* oldest() const { return pending() ? cellAt(head_) : nullptr; }
