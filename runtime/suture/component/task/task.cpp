@@ -193,6 +193,7 @@ void Task::work() {
 // Does the part of a cycle that runs no user code, but for interfaces served in every state. What
 // one of these throws keeps no other from its turn.
 void Task::rest() {
+  statistics_.windows.interrupt();
   for (RequiredBase* interface : required()) interface->adopt();
   for (ProvidedBase* interface : provided()) {
     parkOnThrow([interface] {

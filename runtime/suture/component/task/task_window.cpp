@@ -61,6 +61,14 @@ void WindowMeter::cycle(Time begin, Time end, std::uint64_t skipped) {
   compute_.add(end - begin);
 }
 
+void WindowMeter::interrupt() {
+  if (begin_ == Time{}) return;
+  begin_ = Time{};
+  cycles_ = 0;
+  period_.close();
+  compute_.close();
+}
+
 void WindowMeter::close(Time end, std::uint64_t skipped) {
   last_.write({.begin = begin_,
                .end = end,

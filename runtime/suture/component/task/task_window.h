@@ -52,6 +52,10 @@ class WindowMeter {
   /// Task's thread, at the end of each cycle. `skipped` is the count so far.
   void cycle(Time begin, Time end, std::uint64_t skipped);
 
+  /// Task's thread, while no cycles come. Drops the window that has begun, because it would count
+  /// the pause: the next cycle begins another.
+  void interrupt();
+
   /// Any thread. Returns the last whole window.
   TaskWindow last() const { return last_.read(); }
 

@@ -72,6 +72,21 @@ class Measured final : public PeriodicTask {
   void run() override { pass(10us); }
 };
 
+TEST(TaskStatistics, ASuspensionIsInNoWindow) {
+  Measured measured;
+  measured.start();
+  EXPECT_TRUE(eventually([&] { return measured.statistics().windows.last().valid(); }));
+  measured.request(Transition::Suspend);
+  EXPECT_TRUE(eventually([&] { return measured.state() == ComponentState::Suspended; }));
+  pass(300ms);
+  const Time resumed = now();
+  measured.request(Transition::Resume);
+  EXPECT_TRUE(eventually([&] { return measured.statistics().windows.last().end > resumed; }));
+  const TaskWindow window = measured.statistics().windows.last();
+  EXPECT_GE(window.begin, resumed);
+  EXPECT_LT(window.period.max, 300ms);
+}
+
 TEST(TaskStatistics, AnyThreadReadsTheLastWindow) {
   Measured task;
   task.start();
