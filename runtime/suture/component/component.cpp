@@ -70,6 +70,13 @@ bool Component::mayRunHandlers() const {
   return statusIn(state_.load(std::memory_order_seq_cst)) == ChannelStatus::Connected;
 }
 
+bool Component::hasCycles() const {
+  const ComponentState present = state();
+  const bool begun =
+      present != ComponentState::Constructed && present != ComponentState::Configured;
+  return ownsThread() && begun && !ending();
+}
+
 bool Component::ownedByAnotherThread() const {
   const void* owner = owner_.load(std::memory_order_acquire);
   return owner != nullptr && owner != thisThread();

@@ -102,7 +102,10 @@ class Component {
   /// Returns true if another thread owns them. While no thread does, any may use them, as in the
   /// constructor.
   bool ownedByAnotherThread() const;
-  /// Any thread. Returns true once a task is asked to stop; then it begins no new wait.
+  /// Returns true for a task that has been started and not been stopped, so that a cycle will come;
+  /// for a device there is none.
+  bool hasCycles() const;
+  /// Any thread. Returns true once a task is asked to stop.
   bool ending() const {
     return ending_.load(std::memory_order_acquire) || (lender_ != nullptr && lender_->ending());
   }

@@ -321,12 +321,14 @@ void Manager::disconnect(std::string_view requiredName) {
   const Endpoint from = Endpoint::parse(requiredName);
   RequiredBase& required = directory_.required(from);
   const std::string name = from.toString();
-  if (connectionOf(name) == nullptr) {
+  const auto channel = connectionOf(name);
+  if (channel == nullptr) {
     throw SetupError("disconnecting '" + name + "'", "it is not connected",
                      "Connect it with connect() first");
   }
   if (local_.erase(name) == 0) network_->disconnect(name);
   required.attach(nullptr);
+  if (!required.owner().hasCycles()) channel->client.close();  // nobody else would soon
 }
 
 void Manager::resumeConnection(std::string_view requiredName) {

@@ -106,9 +106,10 @@ class Manager {
             options);
   }
   /// Takes down the connection of a required interface of this process ("Teleop/Slave"), which may
-  /// then be connected anew, while tasks run. It takes effect between two cycles of the client:
-  /// calls under way end with Errc::OutcomeUnknown, and commands that the provider has not executed
-  /// yet are dropped. Throws SetupError if it is not connected.
+  /// then be connected anew, while tasks run. It takes effect between two cycles of the client, and
+  /// at once if that is a device or a task that does not run: calls under way end with
+  /// Errc::OutcomeUnknown, and commands that the provider has not executed yet are dropped. Throws
+  /// SetupError if it is not connected.
   void disconnect(std::string_view required);
   /// Admits commands of a connection that awaits its operator again. Throws SetupError if it is not
   /// connected, still lost, or awaits no operator.

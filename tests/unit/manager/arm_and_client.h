@@ -23,7 +23,12 @@ struct ArmTask final : PeriodicTask, StillArm {
   ~ArmTask() override { stop(); }
   void run() override {}
   void set_mode(reference::Mode mode) override { port.emit().mode(mode); }
+  void onClient(const ProvidedBase& interface, const ConnectedClient&, ClientNews news) override {
+    if (&interface == &port) clients += news == ClientNews::Connected ? 1 : -1;
+  }
   Provided<reference::ArmLike> port{*this, "Arm", *this};
+  std::atomic<int> clients{0};
+  std::atomic<bool> broken{false};
 };
 
 struct ArmDevice final : Device, StillArm {

@@ -96,6 +96,56 @@ TEST(Reconnect, CallsUnderWayEnd) {
   here.arm.busy = false;
 }
 
+/// `rest()` returns once the client runs nothing any more, so that it lets go of the connection
+/// only if the manager makes it do so.
+template <class Rest>
+void disconnectAtRest(ArmTask& arm, Manager& clients, const std::string& to, const Rest& rest) {
+  const auto connect = [&] { clients.connect("Teleop/Slave", to, {.patience = kPatience}); };
+  connect();
+  EXPECT_TRUE(eventually([&] { return arm.clients == 1; }));
+  rest();
+  clients.disconnect("Teleop/Slave");
+  EXPECT_TRUE(eventually([&] { return arm.clients == 0; })) << "nobody has told the provider";
+  connect();
+  EXPECT_TRUE(eventually([&] { return arm.clients == 1; }));
+}
+
+TEST(Reconnect, AStoppedClientLetsGoAtOnce) {
+  OneProcess<ArmTask> here;
+  disconnectAtRest(here.arm, here.manager, "PSM/Arm", [&] {
+    EXPECT_TRUE(eventually([&] { return here.arm.holds > 0; }));
+    here.client.stop();
+  });
+  const int before = here.arm.holds;
+  here.client.start();
+  EXPECT_TRUE(eventually([&] { return here.arm.holds > before; }));
+}
+
+TEST(Reconnect, AStoppedClientOfAnotherProcessLetsGoAtOnce) {
+  ArmTask arm;
+  Client client;
+  TwoProcesses processes;
+  processes.there.add("PSM", arm);
+  processes.here.add("Teleop", client);
+  processes.start();
+  disconnectAtRest(arm, processes.here, "there:PSM/Arm", [&] {
+    EXPECT_TRUE(eventually([&] { return arm.holds > 0; }));
+    client.stop();
+  });
+}
+
+TEST(Reconnect, ADeviceThatIsNotUsedLetsGoAtOnce) {
+  struct Idle final : Device {
+    Required<reference::ArmLike> slave{*this, "Slave"};
+  } idle;
+  ArmTask arm;
+  Manager manager("here");
+  manager.add("PSM", arm);
+  manager.add("Teleop", idle);
+  manager.start();
+  disconnectAtRest(arm, manager, "PSM/Arm", [&] { EXPECT_TRUE(idle.slave.hold()); });
+}
+
 TEST(Reconnect, AMissingConnectionCannotBeTakenDown) {
   Client client;
   Manager manager("here");

@@ -34,6 +34,12 @@ void ChannelClient::subscribe(EventSet wanted, EventSet newlyWanted) {
   if (newlyWanted != 0) words_.joining.fetch_or(newlyWanted, std::memory_order_release);
 }
 
+void ChannelClient::close() {
+  cut();
+  channel_.status = ChannelStatus::Closed;
+  channel_.ends.provider->ring();
+}
+
 ReplyRecord* ChannelClient::nextReply() {
   rt::SpscRing& replies = channel_.replies;
   const auto copy = [&info = channel_.info](std::byte* to, const std::byte* from,

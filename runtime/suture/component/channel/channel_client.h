@@ -46,6 +46,8 @@ class ChannelClient {
   /// Any thread, before the client is told that the connection is over. If both share memory, the
   /// provider then begins no more of its commands.
   void cut() { words_.cut.raise(); }
+  /// Any thread. Ends the connection, and rings the provider, which drops it in its own time.
+  void close();
   /// Any thread. Admits commands that await their operator again, if the provider is there.
   ResumeOutcome resume();
 

@@ -8,13 +8,10 @@
 namespace suture {
 namespace {
 
-// Closes the channel for this end; the provider drops it in its own time.
 void giveUp(const std::shared_ptr<Channel>& channel) {
   if (channel == nullptr) return;
-  channel->client.cut();
-  channel->status = ChannelStatus::Closed;
   channel->direct.clear();
-  channel->ends.provider->ring();
+  channel->client.close();
 }
 
 }  // namespace
