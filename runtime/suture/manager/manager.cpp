@@ -44,6 +44,23 @@ void requireSilenceThatCanBeTold(const ConnectionContract& contract,
       "Allow at least " + std::to_string(kShortest / std::chrono::milliseconds(1)) + " ms");
 }
 
+// Zero has a meaning of its own for each of these.
+void requireNoNegativeTime(const ConnectOptions& options, const RequiredBase& required,
+                           const std::string& connection) {
+  const std::pair<const char*, Duration> times[] = {{"a max_age", options.contract.maxAge},
+                                                    {"a max_age", required.maxAge()},
+                                                    {"a deadline", options.contract.deadline},
+                                                    {"a patience", options.patience},
+                                                    {"a delay of commands", options.delay.commands},
+                                                    {"a delay of answers", options.delay.answers}};
+  for (const auto& [time, length] : times) {
+    if (length >= Duration{0}) continue;
+    throw SetupError("connecting " + connection,
+                     time + (" of " + std::to_string(length.count())) + " ns",
+                     "Give a time that is not negative; 0 stands for none");
+  }
+}
+
 // Compares hashes, since a shared library has its own tables.
 bool collects(const Component& component) {
   const std::string_view collecting = interfaceInfo<Collecting>().hash;
@@ -297,6 +314,7 @@ void Manager::connect(RequiredBase& required, const Endpoint& from, std::string_
                      "A required interface has one provider; disconnect() it first, or add another "
                      "required interface");
   }
+  requireNoNegativeTime(options, required, connection);
   requireSilenceThatCanBeTold(options.contract, connection);
   if (options.delay.any()) DelayThread::requireBounded(required.info());
   const auto watch = watchOf(options.contract, required);
