@@ -183,6 +183,7 @@ class Component {
 
   const bool ownsThread_;  // read for each event and subscriber
   std::string name_ = "(unnamed)";
+  std::weak_ptr<const std::string> process_;  // of its manager, as long as that exists
   std::atomic<std::uint64_t> faults_{0};
   std::atomic_flag parked_ = ATOMIC_FLAG_INIT;
   std::atomic<bool> ending_{false};

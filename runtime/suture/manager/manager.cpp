@@ -121,7 +121,13 @@ Manager::~Manager() {
 
 void Manager::add(const std::string& name, Component& component) {
   directory_.add(name, component, [&] {
+    if (const auto other = component.process_.lock()) {
+      throw SetupError("adding a component '" + name + "' to process '" + process() + "'",
+                       "it is '" + component.name() + "' of process '" + *other + "'",
+                       "Create a second object, or destroy the manager of that process before");
+    }
     component.name_ = name;
+    component.process_ = name_;
     if (!component.hasStateListener())
       component.setStateListener(std::make_shared<LifecycleInterface>(component, changed_));
   });

@@ -160,6 +160,7 @@ class Manager {
   void stopComponents();
 
   Directory directory_;
+  const std::shared_ptr<const std::string> name_ = std::make_shared<std::string>(process());
   bool started_ = false;
   // Is rung when a component's state has changed, also by components that outlive this.
   const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();

@@ -342,6 +342,16 @@ TEST(LifecycleInterface, ADeviceHasOneToo) {
   EXPECT_TRUE(watcher.hears({"running", "suspended", "running"}));
 }
 
+TEST(ManagerLifecycle, AComponentHasOneManagerAtATime) {
+  Worker worker;
+  Manager first("first"), second("second");
+  first.add("Worker", worker);
+  EXPECT_EQ(refusal([&] { second.add("Spare", worker); }),
+            "adding a component 'Spare' to process 'second': it is 'Worker' of process 'first'. "
+            "Create a second object, or destroy the manager of that process before");
+  EXPECT_EQ(worker.name(), "Worker");
+}
+
 TEST(LifecycleInterface, AComponentKeepsItUnderItsNextManager) {
   Worker worker;
   Watcher watcher;
