@@ -169,6 +169,15 @@ TEST_F(Contract, ALossMayParkAReaderThatDoesNotRead) {
   EXPECT_EQ(reader_.faultCause(), FaultCause::Connection);
 }
 
+TEST_F(Contract, AFaultedProviderThatIsStoppedIsLost) {
+  connect({});
+  arm_.work = [] { throw std::runtime_error("the drive did not answer"); };
+  arm_.cycle();
+  EXPECT_EQ(hold(), Errc::Faulted);
+  arm_.stop();
+  EXPECT_EQ(hold(), Errc::Lost);
+}
+
 TEST_F(Contract, AfterALossCommandsAwaitTheOperator) {
   connect({.resume = Resume::Operator});
   EXPECT_EQ(hold(), Errc{});

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <optional>
+#include <stdexcept>
 
 #include "reference/still_arm.h"
 #include "support/pass.h"
@@ -21,7 +22,9 @@ using namespace std::chrono_literals;
 struct ArmTask final : PeriodicTask, StillArm {
   ArmTask() : PeriodicTask({.period = 1ms}) {}
   ~ArmTask() override { stop(); }
-  void run() override {}
+  void run() override {
+    if (broken) throw std::runtime_error("the drive did not answer");
+  }
   void set_mode(reference::Mode mode) override { port.emit().mode(mode); }
   void onClient(const ProvidedBase& interface, const ConnectedClient&, ClientNews news) override {
     if (&interface == &port) clients += news == ClientNews::Connected ? 1 : -1;

@@ -241,7 +241,25 @@ TEST(Reconnect, AfterALossOverRpcTheNewChannelIsShown) {
 }
 
 /// If no lane is given, provider and client are in one process.
-class StartedAgain : public testing::TestWithParam<std::optional<Lane>> {};
+class StartedAgain : public testing::TestWithParam<std::optional<Lane>> {
+ protected:
+  void begin() {
+    processes.there.add("PSM", arm);
+    clients.add("Teleop", client);
+    processes.start();
+    connect();
+    ASSERT_TRUE(eventually([&] { return arm.holds > 0 && client.error == Errc{}; }));
+  }
+  void connect() {
+    clients.connect("Teleop/Slave", GetParam() ? "there:PSM/Arm" : "PSM/Arm",
+                    {.lane = GetParam().value_or(Lane::Auto)});
+  }
+
+  ArmTask arm;
+  Client client;
+  TwoProcesses processes;
+  Manager& clients = GetParam() ? processes.here : processes.there;
+};
 
 INSTANTIATE_TEST_SUITE_P(Lanes, StartedAgain,
                          testing::Values(std::nullopt, Lane::Shm, Lane::Frame, Lane::Rpc),
@@ -249,20 +267,16 @@ INSTANTIATE_TEST_SUITE_P(Lanes, StartedAgain,
                            return std::string(row.param ? toString(*row.param) : "local");
                          });
 
+TEST_P(StartedAgain, ClientsLoseItThoughItHasFaulted) {
+  begin();
+  arm.broken = true;
+  ASSERT_TRUE(eventually([&] { return client.error == Errc::Faulted; }));
+  arm.stop();
+  EXPECT_TRUE(eventually([&] { return client.error == Errc::Lost; }));
+}
+
 TEST_P(StartedAgain, ClientsLoseItUntilTheyReconnect) {
-  ArmTask arm;
-  Client client;
-  TwoProcesses processes;
-  Manager& clients = GetParam() ? processes.here : processes.there;
-  processes.there.add("PSM", arm);
-  clients.add("Teleop", client);
-  processes.start();
-  const auto connect = [&] {
-    clients.connect("Teleop/Slave", GetParam() ? "there:PSM/Arm" : "PSM/Arm",
-                    {.lane = GetParam().value_or(Lane::Auto)});
-  };
-  connect();
-  ASSERT_TRUE(eventually([&] { return arm.holds > 0 && client.error == Errc{}; }));
+  begin();
   arm.stop();
   ASSERT_TRUE(eventually([&] { return client.error == Errc::Lost; }));
   const int before = arm.holds;

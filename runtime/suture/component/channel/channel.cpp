@@ -112,8 +112,8 @@ Duration Channel::clockError() const {
 void Channel::tell(ChannelStatus news) {
   ChannelStatus present = status.load(std::memory_order_acquire);
   do {
-    const bool restarted = news == ChannelStatus::Connected;  // nothing else ends a fault
-    const bool rests = present == ChannelStatus::Faulted && !restarted;
+    const bool endsFault = news == ChannelStatus::Connected || isOver(news);
+    const bool rests = present == ChannelStatus::Faulted && !endsFault;
     if (isOver(present) || present == news || rests) return;
   } while (!status.compare_exchange_weak(present, news));
   noteStatus(news);
