@@ -30,6 +30,13 @@ bool CallBase::takeBack() {
   return true;
 }
 
+Errc CallBase::giveUp() {
+  const bool stops = !calls_->mayWait();
+  if (stops && takeBack()) return Errc::Cancelled;
+  close();
+  return stops ? Errc::OutcomeUnknown : Errc::Timeout;
+}
+
 void CallBase::passOnTo(PendingCall::Follower follower) {
   calls_->follow(*std::exchange(pending_, nullptr), follower);
 }

@@ -49,6 +49,8 @@ class CallBase {
   void waitUntilDone(Duration limit) { calls_->waitFor(*pending_, limit); }
   /// Cancels the call at the provider, and closes it. Returns false if that came too late.
   bool takeBack();
+  /// Closes the call, whose wait is over, and returns the error that it ends with.
+  Errc giveUp();
   /// Lets `follower` be called when the answer is here.
   void passOnTo(PendingCall::Follower follower);
   /// Ends the call, because its answer has been read or is no longer wanted.
@@ -85,14 +87,12 @@ class [[nodiscard]] Call : CallBase {
   const Answer* poll() && = delete;
 
   /// Waits at most `limit` for the answer and returns it, or Errc::Timeout. There is no way to wait
-  /// without a limit.
+  /// without a limit. If the component is stopped meanwhile, other than in a hook, the wait ends:
+  /// with Errc::Cancelled if the command is not executed, else with OutcomeUnknown.
   const Answer& within(Duration limit) & {
     if (!ended_) {
       waitUntilDone(limit);
-      if (!poll()) {
-        close();
-        end(Traits::error(Errc::Timeout));
-      }
+      if (!poll()) end(Traits::error(giveUp()));
     }
     return answer_;
   }

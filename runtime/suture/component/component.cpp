@@ -106,7 +106,7 @@ void Component::makeTransition(Transition transition) {
   const auto to = after(from, transition);
   if (!to) return;  // a device was parked after this was requested
   if (transition != Transition::Restart) meantToRun_ = transition == Transition::Resume;
-  if (!parkOnThrow([&] { callHook(transition); })) return;
+  if (!parkOnThrow([&] { runHook([&] { callHook(transition); }); })) return;
   if (transition == Transition::Resume || transition == Transition::Restart) {
     resumed_.store(toNanoseconds(now()), std::memory_order_release);
   }

@@ -109,6 +109,9 @@ class Component {
   bool ending() const {
     return ending_.load(std::memory_order_acquire) || (lender_ != nullptr && lender_->ending());
   }
+  /// The component's own thread. Returns false once it is asked to stop, but for its hooks: what
+  /// they ask of others, such as to hold still, they may await.
+  bool mayWait() const { return !ending() || inHook_; }
 
  protected:
   explicit Component(bool ownsThread);
@@ -180,6 +183,9 @@ class Component {
   /// Returns false, and changes nothing, if the component has been parked meanwhile.
   bool changeState(ComponentState from, ComponentState to);
   void callHook(Transition transition);
+  /// Runs `hook`, in which the component may wait though it is asked to stop.
+  template <class Hook>
+  void runHook(const Hook& hook);
 
   const bool ownsThread_;  // read for each event and subscriber
   std::string name_ = "(unnamed)";
@@ -194,6 +200,7 @@ class Component {
   rt::DueBells dueBells_;
   Component* lender_ = nullptr;
   const ConnectedClient* caller_ = nullptr;
+  bool inHook_ = false;
   bool meantToRun_ = false;  // true from a start or the beginning of a resumption, to the beginning
                              // of a suspension or stop; a fault changes nothing
   std::atomic<const void*> owner_{nullptr};
@@ -213,6 +220,16 @@ bool Component::guarded(const Work& work, const Failed& failed) {
     failed("an exception that is not a std::exception");
   }
   return false;
+}
+
+template <class Hook>
+void Component::runHook(const Hook& hook) {
+  struct InHook {
+    ~InHook() { in = false; }
+    bool& in;
+  } here{inHook_};
+  inHook_ = true;
+  hook();
 }
 
 template <class Work>

@@ -7,7 +7,8 @@
 namespace suture {
 
 /// The thread of `component`, in a cycle or not. Sleeps until `over()`, which it asks after each
-/// ring, or until `deadline`. It hands on work that was rung for to the next cycle.
+/// ring, until `deadline`, or until the component may not wait any more. It hands on work that was
+/// rung for to the next cycle.
 template <class Over>
 void sleepUntil(Component& component, Time deadline, const Over& over) {
   component.ringNow();
@@ -18,7 +19,7 @@ void sleepUntil(Component& component, Time deadline, const Over& over) {
     rt::Doorbell& bell;
     bool work = false;
   } rung{component.doorbell()};
-  while (!over() && now() < deadline) {
+  while (!over() && now() < deadline && component.mayWait()) {
     if (rung.bell.waitUntil(deadline) == rt::RungFor::Work) rung.work = true;
   }
 }

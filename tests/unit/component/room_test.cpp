@@ -52,6 +52,65 @@ class Waiter final : public EventTask {
   }
 };
 
+/// Waits in its first run() for an answer, and then for an event; and once more in onStop().
+class Awaiter final : public EventTask {
+ public:
+  Required<reference::ArmLike> arm{*this, "Arm"};
+  std::atomic<bool> waits{false};
+  std::atomic<Errc> answer{}, event{}, last{};
+
+ private:
+  void run() override {
+    if (waits.exchange(true)) return;
+    answer = arm.hold.start().within(kPatience).error();
+    event = arm.on().stopped.next().within(kPatience).error();
+  }
+  void onStop() override { last = arm.hold.start().within(std::chrono::milliseconds(1)).error(); }
+};
+
+/// Its hold() ends when the test says so.
+struct SlowArm final : EventTask, StillArm {
+  void run() override {}
+  void hold() override {
+    holding = true;
+    while (slow) pass(std::chrono::milliseconds(1));
+  }
+  Provided<reference::ArmLike> arm{*this, "Arm", *this};
+  std::atomic<bool> slow{true}, holding{false};
+};
+
+// The provider is not started, so it takes nothing.
+TEST(Waits, EndWithTheirTask) {
+  Arm provider;
+  Awaiter awaiter;
+  const auto channel = connectLocally(awaiter.arm, provider.arm, "test");
+  awaiter.start();
+  EXPECT_TRUE(eventually([&] { return awaiter.waits.load(); }));
+  const Time begin = now();
+  awaiter.stop();
+  EXPECT_LT(now() - begin, kPatience);
+  EXPECT_EQ(awaiter.answer, Errc::Cancelled);
+  EXPECT_EQ(awaiter.event, Errc::Cancelled);
+  EXPECT_EQ(awaiter.last, Errc::Timeout) << "it may bring an arm to rest in onStop()";
+  provider.start();
+  EXPECT_TRUE(eventually([&] { return channel->commands.counters.cancelled == 1u; }));
+  provider.stop();
+  EXPECT_EQ(provider.still.holds, 1) << "the one of onStop()";
+}
+
+TEST(Waits, ForACommandThatRunsEndWithoutItsOutcome) {
+  SlowArm provider;
+  Awaiter awaiter;
+  const auto channel = connectLocally(awaiter.arm, provider.arm, "test");
+  provider.start();
+  awaiter.start();
+  EXPECT_TRUE(eventually([&] { return provider.holding.load(); }));
+  awaiter.stop();
+  EXPECT_EQ(awaiter.answer, Errc::OutcomeUnknown);
+  provider.slow = false;
+  provider.stop();
+}
+
 TEST(Room, AnEventTaskRunsAgainWhenThereIsRoom) {
   Arm provider;
   Feeder feeder(100);

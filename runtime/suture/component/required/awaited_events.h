@@ -33,7 +33,7 @@ class AwaitedEvent {
   ~AwaitedEvent();
 
   /// Handles what arrives until the event is over, at most for `limit`; then it ends with
-  /// Errc::Timeout.
+  /// Errc::Timeout, or with Cancelled if its component stops.
   void wait(Duration limit);
   /// Returns why it has not come, or 0 if it has.
   Errc error() const { return error_; }

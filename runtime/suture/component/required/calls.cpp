@@ -127,6 +127,8 @@ void Calls::waitFor(PendingCall& call, Duration limit) {
   sleepUntil(attachment_.owner(), fromNow(limit), [&] { return isDone(call); });
 }
 
+bool Calls::mayWait() const { return attachment_.owner().mayWait(); }
+
 void Calls::follow(PendingCall& call, PendingCall::Follower follower) {
   call.follower = follower;
   ++followed_;

@@ -47,7 +47,9 @@ class Calls final : private Attachment::User {
   /// Frees the place, as soon as no answer can come any more.
   void close(PendingCall& call);
   bool isDone(PendingCall& call);
+  /// Returns when the call is done, after `limit`, or when its component may not wait any more.
   void waitFor(PendingCall& call, Duration limit);
+  bool mayWait() const;
   /// Returns true if the provider will not execute it, and answers so.
   bool cancel(PendingCall& call);
   void follow(PendingCall& call, PendingCall::Follower follower);

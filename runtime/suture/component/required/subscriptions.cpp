@@ -165,7 +165,7 @@ Errc Subscriptions::waitFor(AwaitedEvent& event, Duration limit) {
     if (handled > (over ? 1u : 0u)) handledInWait_ = true;
     return over;
   });
-  return Errc::Timeout;
+  return owner.mayWait() ? Errc::Timeout : Errc::Cancelled;
 }
 
 // Does what a cycle does first, except that a task's connections change only between its cycles.

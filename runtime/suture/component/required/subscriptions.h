@@ -42,7 +42,7 @@ class Subscriptions final : private Attachment::User {
   Errc await(std::uint16_t event);
   AwaitedEvents& awaited() { return awaited_; }
   /// Handles what arrives until `event` is over, at most for `limit`. Answers Errc::Timeout if it
-  /// is not over by then, and WrongThread or CannotWait at once.
+  /// is not over by then, Cancelled if its component stops, and WrongThread or CannotWait at once.
   Errc waitFor(AwaitedEvent& event, Duration limit);
   /// Returns why no event will come any more, or 0 if one may.
   Errc end() const;

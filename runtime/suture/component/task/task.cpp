@@ -153,7 +153,7 @@ void Task::makeSafe() {
 
 bool Task::tryOnFault() {
   try {
-    onFault();
+    runHook([this] { onFault(); });
     return true;
   } catch (...) {  // the reason for the fault says more than what onFault() threw
     return false;
