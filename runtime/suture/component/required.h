@@ -104,6 +104,9 @@ class RequiredBase : protected RequiredParts {
   void adopt() { attachment.adopt(); }
   /// Owner's thread. Calls adopt(), and does what the connection's contract says of a loss.
   void lookAtConnection() { attachment.lookAt(); }
+  /// Owner's thread. Returns true while the provider is lost and the contract faults this component
+  /// for that.
+  bool lossFaults() const { return attachment.lossFaults(); }
   /// Owner's thread; for a device, any thread. Admits commands again that await their operator. A
   /// device admits them when it next looks at the connection.
   ResumeOutcome resume() { return attachment.resume(); }

@@ -178,6 +178,34 @@ TEST_F(Contract, AFaultedProviderThatIsStoppedIsLost) {
   EXPECT_EQ(hold(), Errc::Lost);
 }
 
+TEST_F(Contract, ARestartAwaitsWhatWasLost) {
+  connect({.onLoss = Fallback::Fault});
+  reader_.restartAfterFaults({.most = 3, .per = 24h});
+  int runs = 0;
+  reader_.work = [&] { ++runs; };
+  arm_.stop();
+  for (int i = 0; i < 5; ++i) reader_.cycle();
+  EXPECT_TRUE(faulted()) << "it runs without what it requires";
+  EXPECT_FALSE(reader_.staysFaulted());
+  EXPECT_EQ(runs, 0);
+  connectTo(spare_);
+  EXPECT_FALSE(faulted());
+  reader_.cycle();
+  EXPECT_EQ(runs, 1);
+  EXPECT_EQ(reader_.faults(), 1u) << "waiting takes nothing from the budget";
+}
+
+TEST_F(Contract, ASuspensionOutlivesARestartThatAwaitsItsProvider) {
+  connect({.onLoss = Fallback::Fault});
+  reader_.restartAfterFaults({.most = 3, .per = 24h});
+  reader_.request(Transition::Suspend);
+  arm_.stop();
+  for (int i = 0; i < 3; ++i) reader_.cycle();
+  EXPECT_TRUE(faulted());
+  connectTo(spare_);
+  EXPECT_EQ(reader_.state(), ComponentState::Suspended);
+}
+
 TEST_F(Contract, AfterALossCommandsAwaitTheOperator) {
   connect({.resume = Resume::Operator});
   EXPECT_EQ(hold(), Errc{});

@@ -70,6 +70,11 @@ void Attachment::noticeLoss() {
   }
 }
 
+bool Attachment::lossFaults() const {
+  return lossNoticed_ && channel_ != nullptr &&
+         channel_->terms.watch->contract.onLoss == Fallback::Fault;
+}
+
 void Attachment::lookAt() {
   const bool asked = resumeAsked_.load(std::memory_order_relaxed) && resumeAsked_.exchange(false);
   const auto seen = losses();

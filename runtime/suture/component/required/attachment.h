@@ -67,6 +67,8 @@ class Attachment {
   void adopt();
   /// Acts on each loss of the provider, once.
   void noticeLoss();
+  /// Returns true while the provider is lost and the contract faults its client for that.
+  bool lossFaults() const;
   /// Calls adopt() and noticeLoss().
   void lookAt();
   /// Admits commands that await their operator again.

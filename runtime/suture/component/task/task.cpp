@@ -103,8 +103,13 @@ void Task::parkIfAsked() {
   failing_.clear(std::memory_order_release);  // once restarted, it may fail again
 }
 
+// What was requested before a fault comes after the restart.
+bool Task::requestDue() const {
+  return requested_.load(std::memory_order_relaxed).has_value() && !awaitsRestart_;
+}
+
 void Task::makeRequestedTransition() {
-  if (!requested_.load(std::memory_order_relaxed)) return;
+  if (!requestDue()) return;
   const auto requested = requested_.exchange(std::nullopt, std::memory_order_acquire);
   if (!after(state(), *requested)) return;  // it was parked after this, and not restarted
   activity_.run(now());
@@ -142,13 +147,27 @@ void Task::restartAfterFaults(const RestartBudget& budget) {
 // A restart may fail and so be another fault; the budget bounds that too, and so does a stop, which
 // a budget of a short time would outlast.
 void Task::makeSafe() {
-  while (state() == ComponentState::Faulted && safeAfter_ != faults()) {
-    safeAfter_ = faults();
-    activity_.run(now());
-    const bool restarted = tryOnFault() && meantToRun_ && !ending() && budgetLasts();
-    if (restarted) restart();
-    staysFaulted_.store(!restarted, std::memory_order_release);
+  while (state() == ComponentState::Faulted) {
+    if (safeAfter_ != faults()) {
+      safeAfter_ = faults();
+      activity_.run(now());
+      awaitsRestart_ = tryOnFault() && meantToRun_ && !ending() && budgetLasts();
+      staysFaulted_.store(!awaitsRestart_, std::memory_order_release);
+    }
+    if (!awaitsRestart_ || ending() || lacksProvider()) return;
+    awaitsRestart_ = false;
+    restart();
   }
+}
+
+// Notices each loss, so that none of those before the restart faults it afterwards.
+bool Task::lacksProvider() {
+  bool lacks = false;
+  for (RequiredBase* interface : required()) {
+    interface->lookAtConnection();
+    lacks = interface->lossFaults() || lacks;
+  }
+  return lacks;
 }
 
 bool Task::tryOnFault() {
@@ -222,8 +241,7 @@ void Task::refuseWaiting() {
 
 bool Task::ownWorkPending() const {
   const bool running = state() == ComponentState::Running;
-  return requested_.load(std::memory_order_relaxed).has_value() ||
-         failed_.load(std::memory_order_relaxed) ||
+  return requestDue() || failed_.load(std::memory_order_relaxed) ||
          std::any_of(provided().begin(), provided().end(),
                      [](const ProvidedBase* one) { return one->pending(); }) ||
          std::any_of(required().begin(), required().end(), [running](RequiredBase* one) {

@@ -79,7 +79,9 @@ class Task : public Component {
   /// Before start(): a fault is followed by onFault() and then by a restart, as long as the budget
   /// lasts; then the task stays faulted. Without a budget it stays so at once, and so it does if it
   /// had not run yet or was not to: the fault came while it was configured, started or suspended.
-  /// Throws SetupError for more than RestartBudget::kMost, or if `per` is not greater than zero.
+  /// The restart waits while a provider is lost and the contract of its connection has on_loss
+  /// Fault. Throws SetupError for more than RestartBudget::kMost, or if `per` is not greater than
+  /// zero.
   void restartAfterFaults(const RestartBudget& budget);
   /// Any thread. Returns true if no restart follows the fault that it is in: the budget is used up,
   /// there is none, it was not running, it is to stop, or onFault() threw.
@@ -131,10 +133,14 @@ class Task : public Component {
   void take(Transition transition) final;
   void parkSoon(std::string reason) final;
   void parkIfAsked();
+  bool requestDue() const;
   void makeRequestedTransition();
   void makeSafe();
   bool tryOnFault();
   bool budgetLasts();
+  /// Returns true while a provider is lost without which the contract of its connection lets it not
+  /// run.
+  bool lacksProvider();
   bool goesOn() const;
   void work();
   void rest();
@@ -152,6 +158,7 @@ class Task : public Component {
   TaskStatistics statistics_;
   TaskActivity activity_;
   std::uint64_t safeAfter_ = 0;  // the fault that onFault() was called for
+  bool awaitsRestart_ = false;
   std::atomic<bool> staysFaulted_{false};
   RestartBudget restarts_;
   std::array<Time, RestartBudget::kMost> restartedAt_{};  // a ring of the last restarts
