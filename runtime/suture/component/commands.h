@@ -90,7 +90,8 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
   Errc callHere(ProvidedBase& callee, Arguments... arguments) {
     const Errc error = required_.sender.judgeHere<ArgumentsSlot>(id_, arguments...);
     if (error != Errc{}) return error;
-    return runHere<Contract>(callee, [&](Contract& contract) { (contract.*Method)(arguments...); });
+    return required_.sender.countHere(
+        runHere<Contract>(callee, [&](Contract& contract) { (contract.*Method)(arguments...); }));
   }
 
   Errc send(std::uint32_t call, Arguments... arguments) {
@@ -249,8 +250,8 @@ class AnsweredCommand : public QueuedCommand {
     Value value{};
     Errc error = required_.sender.judgeHere<ArgumentsSlot>(id_, arguments...);
     if (error == Errc{}) {
-      error = runHere<Contract>(
-          callee, [&](Contract& contract) { value = (contract.*Method)(arguments...); });
+      error = required_.sender.countHere(runHere<Contract>(
+          callee, [&](Contract& contract) { value = (contract.*Method)(arguments...); }));
     }
     if (error == Errc{}) error = required_.sender.judgeResultHere<ResultSlot>(id_, value);
     return error == Errc{} ? Result<Value>(std::move(value)) : Result<Value>(tl::unexpect, error);

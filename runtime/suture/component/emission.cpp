@@ -32,7 +32,10 @@ Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
 
 void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,
                            std::span<const std::byte> payload, EventSet direct) {
-  if ((direct >> event & 1) != 0 && channel.direct.call(event, payload.data())) return;
+  if ((direct >> event & 1) != 0 && channel.direct.call(event, payload.data())) {
+    channel.counts->eventsHeardHere.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
   if (channel.events.push(event, stamp, payload)) {
     channel.countSent(sizeof(rt::EventRecord) + payload.size());
   }

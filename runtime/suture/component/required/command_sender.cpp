@@ -3,6 +3,7 @@
 #include <suture/component/component.h>
 #include <suture/component/required/command_sender.h>
 #include <suture/component/sleep.h>
+#include <suture/rt/counter.h>
 
 namespace suture {
 
@@ -44,6 +45,16 @@ Errc CommandSender::commit(std::uint16_t command, const std::byte* arguments, bo
   channel.countSent(channel.commands.commit());
   attachment_.owner().ringLater(*channel.ends.provider);
   return Errc{};
+}
+
+// Counts once it has run: the command itself may have had the connection taken down.
+Errc CommandSender::countHere(Errc error) {
+  Channel* const channel = attachment_.channel().get();
+  if (channel == nullptr) return error;
+  ChannelCounts& counts = *channel->counts;
+  rt::increment(channel->commands.counters.sent);
+  rt::increment(error == Errc{} ? counts.executedHere : counts.failedHere);
+  return error;
 }
 
 bool CommandSender::admitsResult(std::uint16_t command, const std::byte* result) const {

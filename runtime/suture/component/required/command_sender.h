@@ -29,6 +29,8 @@ class CommandSender {
   /// Does the same for the result of a call in this thread.
   template <class Slot, class Value>
   Errc judgeResultHere(std::uint16_t command, const Value& value) const;
+  /// Counts a command that ran in this thread: `error` is 0, or Faulted if it threw.
+  Errc countHere(Errc error);
   /// Returns how many more of `command` can be sent now. After 0, the component is rung when that
   /// may have changed.
   std::uint32_t room(std::uint16_t command);

@@ -23,6 +23,8 @@ Tally ChannelCounts::own(ConnectionEnd end) const {
   if (!foreign || end == ConnectionEnd::Provider) tally = ofProvider(*commands, *events);
   if (!foreign || end == ConnectionEnd::Client) tally.replaced += rt::count(commands->replaced);
   tally.refused += rt::count(turnedAway);
+  tally.executed += rt::count(executedHere);
+  tally.failed += rt::count(failedHere);
   return tally;
 }
 

@@ -26,6 +26,9 @@ struct ChannelCounts {
   const bool foreign;
   /// Client's end: the lane's thread writes here what the provider's end has told it.
   SharedTally told{};
+  /// Both ends in one process: count what ran in the thread that sent it. The first two are written
+  /// by the client's thread.
+  std::atomic<std::uint64_t> executedHere{0}, failedHere{0}, eventsHeardHere{0};
   /// Provider's end: counts commands that arrived but did not enter the mailbox. Written by the
   /// lane.
   std::atomic<std::uint64_t> turnedAway{0};

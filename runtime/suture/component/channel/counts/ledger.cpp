@@ -47,7 +47,7 @@ Ledger::Group Ledger::groupOf(const ChannelCounts& counts) const {
     group.turnedDown = {rt::count(commands.full), rt::count(commands.tooLarge),
                         rt::count(commands.invalid)};
   }
-  group.eventsDelivered = rt::count(counts.events->delivered);
+  group.eventsDelivered = rt::count(counts.events->delivered) + rt::count(counts.eventsHeardHere);
   // Read this last, so that every command with an outcome is among those that were sent.
   group.accepted = rt::count(commands.sent) + rt::count(counts.turnedAway);
   return group;
