@@ -1,9 +1,11 @@
 #include <pthread.h>
+#include <suture/base/errors.h>
 #include <suture/base/virtual_time.h>
 #include <suture/rt/thread.h>
 
 #include <csignal>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace suture::rt {
@@ -49,7 +51,14 @@ void Thread::start(const std::string& name, std::function<void()> body, Signals 
     ended_.ring();
   };
   VirtualTime* const time = virtualTime();
-  thread_ = time == nullptr ? std::thread(std::move(whole)) : startUnder(*time, name, whole);
+  try {
+    thread_ = time == nullptr ? std::thread(std::move(whole)) : startUnder(*time, name, whole);
+  } catch (const std::system_error& error) {
+    throw SetupError("starting the thread of '" + name + "'",
+                     "the kernel gives this process no more threads: " + error.code().message(),
+                     "Raise the limit of threads (ulimit -u, pids.max of its control group) or of "
+                     "memory (ulimit -v), or let fewer components have threads");
+  }
 }
 
 // The thread rings before it ends, because the kernel's way to wait for a thread does not work with

@@ -22,8 +22,8 @@ class Thread {
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
 
-  /// Runs `body`, which must not throw. `name` is used only by a stepped clock. Throws
-  /// std::system_error if the kernel refuses.
+  /// Runs `body`, which must not throw. `name` is for a stepped clock and for messages.
+  /// Throws SetupError if the kernel refuses.
   void start(const std::string& name, std::function<void()> body,
              Signals signals = Signals::AsTheStarter);
   bool joinable() const { return thread_.joinable(); }
