@@ -71,7 +71,7 @@ void requireLegal(const std::string& name, ComponentState state, Transition tran
   throw SetupError("component '" + name + "' was asked to " + verb,
                    std::string("it is ") + toString(state),
                    state == State::Faulted
-                       ? "Its code threw: correct the cause, and create it anew"
+                       ? "Look at why it has faulted, correct the cause, and create it anew"
                        : "A component can " + verb + " when it is " + statesBefore(transition));
 }
 

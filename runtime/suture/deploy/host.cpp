@@ -188,7 +188,7 @@ std::vector<Trouble> Host::connectionTroubles() const {
         break;
       case ChannelStatus::Faulted:
         found.push_back({subject,
-                         "brings nothing until its provider is restarted, whose code threw", true,
+                         "brings nothing until its provider is restarted, which has faulted", true,
                          true});
         break;
       case ChannelStatus::Connected:

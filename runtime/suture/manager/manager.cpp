@@ -243,7 +243,8 @@ void Manager::change(const std::string& name, Transition transition, Duration pa
     throw SetupError(asked, component.whyFaulted(), "Correct the cause");
   }
   throw SetupError(asked, std::string("it is still ") + toString(reached),
-                   "Its run() has to return, and the callback of a CallbackTask has to come");
+                   "It changes between two cycles: its run() has to return, the period of a "
+                   "PeriodicTask to pass, and the callback of a CallbackTask to come");
 }
 
 void Manager::giveUp() {

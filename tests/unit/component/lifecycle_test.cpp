@@ -87,6 +87,16 @@ TEST(Lifecycle, ALateClientHearsThatTheTaskIsStopped) {
   EXPECT_TRUE(client.arm.hold());
 }
 
+TEST(Lifecycle, ARefusalBlamesNoCodeForWhatAContractHasParked) {
+  Living<EventTask> task;
+  task.configure();
+  task.park("connection 'a -> b' is lost, and its on_loss is fault", FaultCause::Connection);
+  EXPECT_EQ(refusal([&] { task.request(Transition::Suspend); }),
+            "component '(unnamed)' was asked to suspend: it is faulted. Look at why it has "
+            "faulted, correct "
+            "the cause, and create it anew");
+}
+
 TEST(Lifecycle, ARefusalNamesTheLegalTransitions) {
   Living<PeriodicTask> task(kQuick);
   EXPECT_EQ(refusal([&] { task.request(Transition::Suspend); }),

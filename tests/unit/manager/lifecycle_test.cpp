@@ -106,8 +106,9 @@ TEST(ManagerLifecycle, SaysWhyItCannotBe) {
             std::string::npos);
   manager.start();
   EXPECT_EQ(refusal([&] { manager.suspend("Callback", 10ms); }),
-            "component 'Callback' was asked to suspend: it is still running. Its run() has to "
-            "return, and the callback of a CallbackTask has to come");
+            "component 'Callback' was asked to suspend: it is still running. It changes "
+            "between two cycles: its run() has to return, the period of a PeriodicTask to pass, "
+            "and the callback of a CallbackTask to come");
   EXPECT_EQ(refusal([&] { manager.suspend("Stubborn"); }),
             "component 'Stubborn' was asked to suspend: its code threw: the arm would fall. "
             "Correct the cause");
