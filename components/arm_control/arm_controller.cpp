@@ -38,9 +38,10 @@ ArmController<N>::ArmController(const ArmModel<N>& model)
     : model_(model),
       watch_(boundsOf(model), model.watch),
       inserted_(!model.insertion),
-      setpoint_({.lower = model.chain.lower(),
-                 .upper = model.chain.upper(),
-                 .motion = {model.rate_limit, model.acceleration_limit}}),
+      setpoint_({.rate = model.rate_limit,
+                 .acceleration = model.acceleration_limit,
+                 .lower = model.chain.lower(),
+                 .upper = model.chain.upper()}),
       motion_(model.joint_names) {}
 
 template <int N>

@@ -12,9 +12,10 @@ namespace robots {
 JawController::JawController(const JawModel& model, const ArmController<6>& arm)
     : model_(model),
       arm_(arm),
-      setpoint_({.lower = Joint(model.lower),
-                 .upper = Joint(model.upper),
-                 .motion = {Joint(model.rate_limit), Joint(model.acceleration_limit)}}),
+      setpoint_({.rate = Joint(model.rate_limit),
+                 .acceleration = Joint(model.acceleration_limit),
+                 .lower = Joint(model.lower),
+                 .upper = Joint(model.upper)}),
       configuration_(toolConfiguration("jaw", model.lower, model.upper)),
       measuredJs_(blankToolState("jaw")),
       setpointJs_(measuredJs_) {

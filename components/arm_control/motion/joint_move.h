@@ -21,6 +21,10 @@ struct MoveRatios {
 /// at most the other half, so the sum of both keeps the limit, and no joint becomes faster than it
 /// was or than half of its rate limit. Braking takes half of the time at most, so a joint turns
 /// round at most once, and in the second half its way to the goal only becomes shorter.
+///
+/// If a joint would brake beyond its limit like that, all of them brake first, with the whole
+/// acceleration limit, and go along the profile after that. A joint that has too little room even
+/// so brakes as hard as it must, because it never passes its limit of position.
 template <int N>
 class JointMove {
  public:
@@ -33,39 +37,61 @@ class JointMove {
   };
   struct Limits {
     Joints rate;  ///< per second
-    Joints acceleration = Joints::Constant(std::numeric_limits<double>::infinity());
+    Joints acceleration = Joints::Constant(kUnlimited);
+    Joints lower = Joints::Constant(-kUnlimited), upper = Joints::Constant(kUnlimited);
   };
 
   JointMove(const Start& start, const Joints& to, const Limits& limits,
             const MoveRatios& ratios = {})
       : from_(start.position), velocity_(start.velocity), to_(to) {
-    braking_ = velocity_.cwiseAbs().cwiseQuotient(kShare * limits.acceleration);
+    planBraking(limits);
     way_ = to_ - from_ - 0.5 * velocity_.cwiseProduct(braking_);
     for (int i = 0; i < N; ++i) {
       const double way = std::abs(way_[i]);
-      const double share = velocity_[i] == 0 ? 1 : kShare;
+      const bool brakesMeanwhile = velocity_[i] != 0 && brakesFirst_ == 0;
+      const double share = brakesMeanwhile ? kShare : 1;
       const double acceleration = std::min(ratios.acceleration, share) * limits.acceleration[i];
-      duration_ = std::max({duration_, 2 * braking_[i],
-                            kSmoothStepPeakSlope * way / (0.5 * ratios.velocity * limits.rate[i]),
-                            std::sqrt(kSmoothStepPeakCurvature * way / acceleration)});
+      profile_ = std::max({profile_, brakesMeanwhile ? 2 * braking_[i] : 0,
+                           kSmoothStepPeakSlope * way / (0.5 * ratios.velocity * limits.rate[i]),
+                           std::sqrt(kSmoothStepPeakCurvature * way / acceleration)});
     }
   }
 
   /// Returns where the joints shall be `t` seconds after the start.
   Joints at(double t) const {
-    if (t >= duration_) return to_;
-    Joints q = from_ + smoothStep(t / duration_) * way_;
+    if (t >= duration()) return to_;
+    Joints q = from_ + smoothStep((t - brakesFirst_) / profile_) * way_;
     for (int i = 0; i < N; ++i) q[i] += braked(i, t);
     return q;
   }
   const Joints& to() const { return to_; }
   /// Returns how long the move takes, in s.
-  double duration() const { return duration_; }
+  double duration() const { return brakesFirst_ + profile_; }
 
  private:
+  static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
   static constexpr double kShortest = 0.05;  // s
   static constexpr double kShare = 0.5;      // of the acceleration, for braking
 
+  /// Decides how long each joint brakes, and if all of them do so before they go to the goal.
+  void planBraking(const Limits& limits) {
+    const Joints speed = velocity_.cwiseAbs();
+    const Joints most = longestBraking(limits);
+    braking_ = speed.cwiseQuotient(kShare * limits.acceleration);
+    if ((braking_.array() <= most.array()).all()) return;
+    braking_ = speed.cwiseQuotient(limits.acceleration).cwiseMin(most);
+    brakesFirst_ = braking_.maxCoeff();
+  }
+  /// Returns in what time each joint must stop, at a constant rate, to stay within its limits.
+  Joints longestBraking(const Limits& limits) const {
+    Joints most = Joints::Constant(kUnlimited);
+    for (int i = 0; i < N; ++i) {
+      if (velocity_[i] == 0) continue;
+      const double limit = velocity_[i] > 0 ? limits.upper[i] : limits.lower[i];
+      most[i] = std::max(2 * (limit - from_[i]) / velocity_[i], 0.0);
+    }
+    return most;
+  }
   /// Returns how far the joint has gone by its first velocity while it brakes.
   double braked(int joint, double t) const {
     const double whole = braking_[joint];
@@ -75,9 +101,10 @@ class JointMove {
   }
 
   Joints from_, velocity_, to_;
-  Joints braking_;  // s: how long each brakes
-  Joints way_;      // of the profile
-  double duration_ = kShortest;
+  Joints braking_;              // s: how long each brakes
+  Joints way_;                  // of the profile
+  double brakesFirst_ = 0;      // s: the profile begins then
+  double profile_ = kShortest;  // s: how long that takes
 };
 
 }  // namespace robots

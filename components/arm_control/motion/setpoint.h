@@ -19,12 +19,9 @@ class Setpoint {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  struct Limits {
-    Joints lower, upper;
-    typename JointMove<N>::Limits motion;
-  };
+  using Limits = typename JointMove<N>::Limits;
 
-  explicit Setpoint(const Limits& limits) : limits_(limits), rate_(limits.motion.rate) {}
+  explicit Setpoint(const Limits& limits) : limits_(limits), rate_(limits.rate) {}
 
   const Joints& joints() const { return joints_; }
   /// Returns how fast it changes, whatever changes it.
@@ -91,7 +88,7 @@ class Setpoint {
     if (line_) joints_ = line_->at(now);
     if (move_) {
       const double t = secondsBetween(moveStart_, now);
-      // It may brake beyond a limit.
+      // A joint that brakes to a limit may be rounded beyond it.
       joints_ = move_->at(t).cwiseMax(limits_.lower).cwiseMin(limits_.upper);
       reached = t >= move_->duration();
     }
@@ -102,11 +99,11 @@ class Setpoint {
 
  private:
   void planMove(const Joints& goal, suture::Time now) {
-    move_.emplace(typename JointMove<N>::Start{joints_, rate()}, goal, limits_.motion, ratios_);
+    move_.emplace(typename JointMove<N>::Start{joints_, rate()}, goal, limits_, ratios_);
     moveStart_ = now;
   }
   void planLine(const Joints& goal, suture::Time now, double wanted) {
-    line_.emplace(joints_, goal, limits_.motion.rate, now, wanted);
+    line_.emplace(joints_, goal, limits_.rate, now, wanted);
   }
 
   const Limits limits_;

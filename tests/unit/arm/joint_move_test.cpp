@@ -66,6 +66,43 @@ TEST_F(RandomMoves, KeepTheLimitsOfVelocityAndAcceleration) {
   }
 }
 
+// Each joint has at least the room that it needs, and often less than half of the deceleration
+// does.
+TEST_F(RandomMoves, KeepTheLimitsOfPositionToo) {
+  Move::Limits limits = kLimits;
+  for (int n = 0; n < kMoves; ++n) {
+    start_ = {any({1, 1, 0.1}), any(kLimits.rate)};
+    const Triple speed = start_.velocity.cwiseAbs();
+    const Triple stop = 0.5 * speed.cwiseProduct(speed).cwiseQuotient(limits.acceleration);
+    limits.upper = start_.position + (1.5 + 0.5 * uniform_(random_)) * stop;
+    limits.lower = start_.position - (1.5 + 0.5 * uniform_(random_)) * stop;
+    goal_ = limits.lower + std::abs(uniform_(random_)) * (limits.upper - limits.lower);
+    const Move move(start_, goal_, limits);
+    const double dt = move.duration() / kSamples;
+    for (int i = 1; i < kSamples; ++i) {
+      const Triple before = move.at((i - 1) * dt), now = move.at(i * dt),
+                   then = move.at((i + 1) * dt);
+      const Triple acceleration = (then - 2 * now + before) / (dt * dt);
+      ASSERT_LE((acceleration.cwiseAbs() - limits.acceleration).maxCoeff(), 1e-6) << n << " " << i;
+      ASSERT_LE((now - limits.upper).maxCoeff(), 1e-12) << n << " " << i;
+      ASSERT_LE((limits.lower - now).maxCoeff(), 1e-12) << n << " " << i;
+    }
+    ASSERT_EQ(move.at(move.duration()), goal_);
+  }
+}
+
+TEST(JointMove, BrakesHarderWhereNothingElseKeepsTheLimitOfPosition) {
+  Move::Limits limits = kLimits;
+  limits.upper = Triple(0.1, 0, 1);
+  const Move move({Triple::Zero(), {4, 2, 0}}, {0, -1, 0}, limits);
+  double farthest = 0;
+  for (double t = 0; t < move.duration(); t += 1e-3) {
+    EXPECT_LE(move.at(t)[1], 0) << "it has no room";
+    farthest = std::max(farthest, move.at(t)[0]);
+  }
+  EXPECT_NEAR(farthest, 0.1, 1e-12) << "full deceleration would take 0.2";
+}
+
 TEST_F(RandomMoves, TurnRoundOnceAtMostAndEndMonotonically) {
   for (int n = 0; n < kMoves; ++n) {
     const Move move = anyMove();

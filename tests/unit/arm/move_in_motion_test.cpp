@@ -150,6 +150,25 @@ TEST_F(MoveInMotion, StaysWithinTheLimitsOfPosition) {
   EXPECT_DOUBLE_EQ(setpoint(0), 0.1);
 }
 
+TEST_F(MoveInMotion, KeepsItsAccelerationNearALimitOfPosition) {
+  const double most = kinematics::psm().upper()[0];
+  const double velocity = 2;
+  // Full deceleration ends within 0.05 rad, half of it would take 0.1.
+  const double room = 0.07;
+  crtk_.move_jp(yaw(most - room - 100 * velocity * kDt));
+  while (heard_.goals.empty()) cycles(1);
+  JointVelocityGoal rates;
+  rates.goal.assign(6, 0);
+  rates.goal[0] = velocity;
+  for (int i = 0; i < 100; ++i) {
+    crtk_.servo_jv(rates);
+    cycles(1);
+  }
+  heard_ = {};
+  crtk_.move_jp(yaw(0.1));
+  expectSmoothTo(0.1, velocity);
+}
+
 TEST_F(MoveInMotion, TheConfigurationTellsAccelerationsAndEfforts) {
   EXPECT_EQ(crtk_.configuration_js().acceleration_max, std::vector<double>(6, kAcceleration));
   EXPECT_EQ(crtk_.configuration_js().acceleration_min, std::vector<double>(6, -kAcceleration));
