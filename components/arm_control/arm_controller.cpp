@@ -166,7 +166,7 @@ JointSolution ArmController<N>::inverse_kinematics(const PoseStamped& goal) cons
 template <int N>
 void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N>>& drives) {
   const suture::Time measured = reading_.stamp;
-  take(drives);
+  take(drives, now);
   // In a pause of either the drives have dropped the arm's last goal.
   const bool unheard = measured != suture::Time{} && isPause(measured, reading_.stamp);
   const bool paused = isPause(std::exchange(lastStep_, now), now) || unheard;
@@ -191,11 +191,11 @@ void ArmController<N>::goOnFrom(bool paused) {
 }
 
 template <int N>
-void ArmController<N>::take(const std::optional<DriveReading<N>>& drives) {
+void ArmController<N>::take(const std::optional<DriveReading<N>>& drives, suture::Time now) {
   const bool wasHeard = std::exchange(heard_, drives.has_value());
   if (drives) {
     reading_ = *drives;
-    const auto fault = watch_.look(reading_);
+    const auto fault = watch_.look(reading_, now);
     obeyInsertion();
     obeyPower();
     if (fault) obey(*fault);

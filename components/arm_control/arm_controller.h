@@ -128,7 +128,7 @@ class ArmController {
   /// Changes to `state`, in which the arm rests where its joints are.
   void restIn(ArmState state, const char* activity);
   /// Takes what the drives measured, and changes the state of the arm if they stop or fall silent.
-  void take(const std::optional<DriveReading<N>>& drives);
+  void take(const std::optional<DriveReading<N>>& drives, suture::Time now);
   void obeyPower();
   void obeyInsertion();
   /// Returns the joint that trails its set-point by too much, if one does.

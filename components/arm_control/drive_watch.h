@@ -23,7 +23,8 @@ struct DriveBounds {
 
 struct DriveWatchOptions {
   /// A position jumps if it lies farther from the one before than this many times what the joint
-  /// can move in the time between both, and one count. If this is infinite, nothing is a jump.
+  /// can move in the time between both, by their stamps or by when the arm had them, whichever is
+  /// longer, and one count. If this is infinite, nothing is a jump.
   double jump_factor = std::numeric_limits<double>::infinity();
   /// In s: an effort may be above its limit for this long.
   double overload_time = std::numeric_limits<double>::infinity();
@@ -43,18 +44,22 @@ class DriveWatch {
   DriveWatch(const Bounds& bounds, const DriveWatchOptions& options)
       : bounds_(bounds), options_(options) {}
 
-  /// Takes one reading, which may be the same as the last. Returns the fault that it shows, if it
-  /// does.
-  std::optional<DriveFault> look(const DriveReading<N>& reading) {
+  /// Takes one reading at time `now`, which may be the same as the last. Returns the fault that it
+  /// shows, if it does.
+  std::optional<DriveFault> look(const DriveReading<N>& reading, suture::Time now) {
     if (reading.stamp == last_.stamp) return std::nullopt;
     const bool isFirst = last_.stamp == suture::Time{};
     const double dt = isFirst ? 0 : std::max(secondsBetween(last_.stamp, reading.stamp), 0.0);
+    // The stamps of drives in another process lie closer together than their cycles did where the
+    // estimate of its clock steps back, but the time here passes in any case.
+    const double moved = std::max(dt, secondsBetween(lastLook_, now));
     std::optional<DriveFault> fault;
     for (int i = N; i >= 0; --i) {
       if (overloads(i, reading, dt)) fault = {ArmWarning::OverCurrent, i};
-      if (!isFirst && jumps(i, reading, dt)) fault = {ArmWarning::EncoderJump, i};
+      if (!isFirst && jumps(i, reading, moved)) fault = {ArmWarning::EncoderJump, i};
     }
     last_ = reading;
+    lastLook_ = now;
     return fault;
   }
   /// Restarts the time for which each effort has been above its limit.
@@ -87,6 +92,7 @@ class DriveWatch {
   const Bounds bounds_;
   const DriveWatchOptions options_;
   DriveReading<N> last_;
+  suture::Time lastLook_;
   std::array<double, std::size_t{N} + 1> overloaded_{};  // s: for how long
 };
 

@@ -115,6 +115,22 @@ TEST_F(DriveFaultTest, MotionAtFullSpeedIsNoJump) {
   EXPECT_EQ(state(), ArmState::Enabled);
 }
 
+// The clock of drives in another process is an estimate, which steps when a better one comes.
+TEST_F(DriveFaultTest, AStepOfTheDrivesClockIsNoJump) {
+  JointVelocityGoal fastest;
+  fastest.goal.assign(6, 0);
+  fastest.goal[kPitch] = 4;
+  for (int i = 0; i < 100; ++i) {
+    joints_.misjudgeClock(i < 50 ? 0us : -900us);
+    crtk_.servo_jv(fastest);
+    cycles(1);
+  }
+  EXPECT_EQ(state(), ArmState::Enabled);
+  joints_.displace(kPitch, 0.05);
+  cycles(1);
+  expectFault(ArmWarning::EncoderJump, "b: its encoder jumped");
+}
+
 TEST_F(DriveFaultTest, ItIsNotInFaultWhileItHasNoPower) {
   crtk_.disable();
   cycles(2);
@@ -198,7 +214,7 @@ class DriveWatchTest : public testing::Test {
     reading_.position[1] = position;
     reading_.tool.position = tool;
     reading_.stamp += later;
-    return watch_.look(reading_);
+    return watch_.look(reading_, reading_.stamp);
   }
 
   Watch watch_{{DriveBounds{}, {.rate_limit = 1, .encoder_step = 0.01}, {.rate_limit = 2}},
@@ -221,7 +237,7 @@ TEST(DriveWatch, CountsAnEffortFromWhenItIsTooHigh) {
   const auto look = [&](double effort, suture::Duration later) {
     reading.effort[0] = effort;
     reading.stamp += later;
-    return watch.look(reading);
+    return watch.look(reading, reading.stamp);
   };
   EXPECT_FALSE(look(0, 1s));
   EXPECT_FALSE(look(2, 150ms)) << "of the time before nothing is known";

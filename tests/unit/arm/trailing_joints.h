@@ -25,7 +25,7 @@ class TrailingJoints {
     if (last_ != suture::Time{} && !blocked_) dynamics_.advance(secondsBetween(last_, now));
     last_ = now;
     DriveReading<N> reading{dynamics_.measured() + displaced_, dynamics_.velocity(), power(arm),
-                            permitted_, now};
+                            permitted_, now + clockError_};
     reading.effort = drawn_;
     reading.measures_effort = measuresEffort_;
     reading.controls_effort = controlsEffort_;
@@ -49,6 +49,8 @@ class TrailingJoints {
   void measureNoEffort() { measuresEffort_ = false; }
   /// Says from now on that the drives obey efforts, which these joints do not.
   void controlEfforts() { controlsEffort_ = true; }
+  /// Puts the arm's estimate of the drives' clock off by so much from now on.
+  void misjudgeClock(suture::Duration by) { clockError_ = by; }
   /// Makes something hold the joints from now on.
   void block() { blocked_ = true; }
   /// Does as if they had stopped, and been permitted again, between two cycles of the arm.
@@ -61,6 +63,7 @@ class TrailingJoints {
 
   JointDynamics<N> dynamics_;
   Joints displaced_ = Joints::Zero(), drawn_ = Joints::Zero();
+  suture::Duration clockError_{0};
   suture::Time last_, permitted_ = suture::fromNanoseconds(1);
   std::optional<DrivePower> forced_;
   bool blocked_ = false, measuresEffort_ = true, controlsEffort_ = false;
