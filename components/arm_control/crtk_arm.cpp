@@ -324,7 +324,9 @@ void CrtkArm<N>::advance(suture::Time now) {
   if (stream_.isOfTip() && !arm_.mayMoveTip()) return arm_.hold();
   const auto next = stream_.next(arm_.model_.chain, arm_.model_.inverse, arm_.setpoint(),
                                  arm_.reading_.position, dt);
-  if (!next) return arm_.warn(ArmWarning::OutOfReach);
+  if (!next && !streamFails_) arm_.warnings_.tell(ArmWarning::OutOfReach);
+  streamFails_ = !next;
+  if (!next) return;
   // Beside a singularity the joints of two close poses may lie far apart.
   const Joints step = next->q - arm_.setpoint();
   arm_.setpoint_.put(arm_.setpoint() + shortened<Joints>(step, dt * arm_.model_.rate_limit));

@@ -167,6 +167,7 @@ class CrtkArm final : public Arm {
 
   Stream stream_;              // another activity of the arm ends it
   bool streamSlides_ = false;  // along a joint limit
+  bool streamFails_ = false;   // because it leads out of reach
   StreamWatch referred_;       // goals of streams in the reference frame, obeyed or not
   suture::Time lastCycle_{};
 

@@ -123,6 +123,30 @@ TEST_F(CrtkStreamsTest, AStreamThatBeginsAnewBeginsFromRest) {
   EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
 }
 
+TEST_F(CrtkStreamsTest, ATwistOutOfReachIsReportedOnceEachTime) {
+  // Only another posture of the arm reaches where this leads in one cycle.
+  const Eigen::Isometry3d from = crtk_.setpoint_cp().pose,
+                          to = crtk_.forward_kinematics({{-0.9, 0.3, 0.1, 3, 0.5, -0.5}, {}}).pose;
+  const Eigen::AngleAxisd turn(to.linear() * from.linear().transpose());
+  TwistGoal away;
+  away.linear = (to.translation() - from.translation()) / 1e-3;
+  away.angular = turn.axis() * turn.angle() / 1e-3;
+  const std::vector<double> before = positions();
+  const auto follow = [&](const TwistGoal& goal) {
+    for (int i = 0; i < 5; ++i) {
+      crtk_.servo_cv(goal);
+      cycles(1);
+    }
+  };
+  follow(away);
+  EXPECT_EQ(heard_.codes, std::vector{ArmWarning::OutOfReach}) << "once";
+  EXPECT_EQ(positions(), before);
+  follow({});
+  EXPECT_EQ(heard_.codes.size(), 1u);
+  follow(away);
+  EXPECT_EQ(heard_.codes.size(), 2u) << "what begins anew is news";
+}
+
 TEST_F(CrtkStreamsTest, ANewStreamsAxesDoNotTurnTheSpeed) {
   TransformStamped base;
   base.transform.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix();
