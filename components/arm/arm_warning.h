@@ -9,7 +9,7 @@ namespace robots {
 enum class ArmWarning : std::uint32_t {
   NotEnabled = 1,  ///< motion commands need an enabled arm
   OutOfReach,      ///< no joint vector reaches the goal; for a move, none within limits
-  Malformed,       ///< the goal has the wrong length, is not finite or not a pose
+  Malformed,       ///< the goal has the wrong length, a number beyond 1e9, or is not a pose
   ClientGone,      ///< the client whose stream it followed is gone; the arm holds
   WrongState,      ///< the operating state does not admit the command: operating_states.h
   FollowingError,  ///< a joint trailed its set-point by more than its bound; the arm is in FAULT

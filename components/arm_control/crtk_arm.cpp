@@ -268,7 +268,7 @@ PoseStamped CrtkArm<N>::local_query_cp(const JointGoal& q) const {
   if (q.position.size() > std::size_t{N}) return {};
   Joints joints = Joints::Zero();
   std::copy(q.position.begin(), q.position.end(), joints.data());
-  if (!joints.allFinite()) return {};
+  if (!canBeMeant(joints)) return {};
   return {arm_.model_.chain.link(joints, static_cast<int>(q.position.size())), q.stamp, true};
 }
 

@@ -6,7 +6,8 @@ std::string_view textOf(ArmWarning reason) {
   switch (reason) {
     case ArmWarning::NotEnabled: return "motion needs an enabled arm";
     case ArmWarning::OutOfReach: return "no joint vector reaches the goal";
-    case ArmWarning::Malformed: return "the goal has the wrong length or is not finite or no pose";
+    case ArmWarning::Malformed:
+      return "the goal has the wrong length or a number beyond 1e9, or is no pose";
     case ArmWarning::ClientGone: return "the client whose stream the arm followed is gone";
     case ArmWarning::AtLimit: return "the goal leads beyond a joint limit; the arm slides along it";
     case ArmWarning::StepTooFar:

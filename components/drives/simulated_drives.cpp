@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "drives/joint_dynamics.h"
+#include "robot_types/rigid_pose.h"
 #include "timing/seconds.h"
 
 namespace robots {
@@ -37,7 +38,7 @@ template <int N>
 void SimulatedDrives<N>::servo_jp(const DriveGoal& goal) {
   const Joints q = coupling_.joints(Joints::Map(goal.position.data()));
   const Joints effort = coupling_.jointEfforts(Joints::Map(goal.effort.data()));
-  const bool meant = goal.joints == N && q.allFinite() && effort.allFinite();
+  const bool meant = goal.joints == N && canBeMeant(q) && canBeMeant(effort);
   if (feedback_.power != DrivePower::On || !meant) return;
   goal_ = q;
   order_ = {.effort = effort,

@@ -5,11 +5,21 @@
 
 namespace robots {
 
-/// Any thread. Returns true if the pose is finite, and its rotation is one to 1e-6.
+/// Is more than any number that a goal or a pose can mean, in SI units, and so little that no
+/// product of several with the lengths of an arm overflows.
+constexpr double kMostMeant = 1e9;
+
+/// Any thread. Returns true if all entries of the vector can be meant; none that is not finite can.
+template <class Derived>
+bool canBeMeant(const Eigen::MatrixBase<Derived>& vector) {
+  return (vector.array().abs() <= kMostMeant).all();
+}
+
+/// Any thread. Returns true if the pose can be meant, and its rotation is one to 1e-6.
 inline bool isRigid(const Eigen::Isometry3d& pose) {
   constexpr double kRotationTolerance = 1e-6;
   const Eigen::Matrix3d rotation = pose.linear();
-  return pose.matrix().allFinite() &&
+  return canBeMeant(pose.matrix()) &&
          (rotation * rotation.transpose()).isIdentity(kRotationTolerance) &&
          rotation.determinant() > 0;
 }

@@ -13,12 +13,12 @@ namespace robots {
 
 inline bool isPose(const PoseStamped& goal) { return goal.valid && isRigid(goal.pose); }
 
-/// Returns none unless the list has N entries, all finite.
+/// Returns none unless the list has N entries, all of which can be meant.
 template <int N, class List>
 std::optional<Eigen::Matrix<double, N, 1>> toJoints(const List& list) {
   if (list.size() != std::size_t{N}) return std::nullopt;
   Eigen::Matrix<double, N, 1> q = Eigen::Map<const Eigen::Matrix<double, N, 1>>(list.data());
-  if (!q.allFinite()) return std::nullopt;
+  if (!canBeMeant(q)) return std::nullopt;
   return q;
 }
 

@@ -77,7 +77,7 @@ std::optional<JointStreamGoal<N>> streamGoal(const JointEffortGoal& goal) {
 std::optional<TwistStreamGoal> streamGoal(const TwistGoal& goal) {
   const SpatialVector twist = masked(goal.linear, goal.angular, goal.mask);
   SpatialVector change = together(goal.linear_acceleration, goal.angular_acceleration);
-  if (!twist.allFinite() || !change.allFinite() || change.minCoeff() < 0) return std::nullopt;
+  if (!canBeMeant(twist) || !canBeMeant(change) || change.minCoeff() < 0) return std::nullopt;
   change = (change.array() == 0).select(kUnbounded, change);
   return TwistStreamGoal{twist, {change, change}};
 }
@@ -101,7 +101,7 @@ std::optional<JointPush<N>> pushOf(const JointEffortGoal& goal) {
 
 std::optional<SpatialVector> pushOf(const WrenchGoal& goal) {
   const SpatialVector wrench = masked(goal.force, goal.torque, goal.mask);
-  if (!wrench.allFinite()) return std::nullopt;
+  if (!canBeMeant(wrench)) return std::nullopt;
   return wrench;
 }
 

@@ -29,9 +29,9 @@ struct TwistStreamGoal {
   RateRamp<6>::Limits change = {};
 };
 
-/// Each of these returns none if the goal has a list of the wrong length, a number that is not
-/// finite, or an acceleration that leads nowhere. Joints and axes outside of the mask hold still,
-/// but a wrench does not press along these axes.
+/// Each of these returns none if the goal has a list of the wrong length, a number that
+/// cannot be meant, or an acceleration that leads nowhere. Joints and axes outside of the mask hold
+/// still, but a wrench does not press along these axes.
 template <int N>
 std::optional<JointStreamGoal<N>> streamGoal(const JointVelocityGoal& goal);
 template <int N>

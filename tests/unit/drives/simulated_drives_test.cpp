@@ -206,9 +206,11 @@ TEST_F(SimulatedDrivesTest, InvalidGoalsMoveNothing) {
   drives_.servo_jp(tooFew);
   cycles(5);
   EXPECT_EQ(position(), 0.1);
-  drives_.servo_jp(goal(std::numeric_limits<double>::quiet_NaN()));
-  cycles(5);
-  EXPECT_EQ(position(), 0.1);
+  for (const double number : {std::numeric_limits<double>::quiet_NaN(), 1e308}) {
+    drives_.servo_jp(goal(number));
+    cycles(5);
+    EXPECT_EQ(position(), 0.1) << number;
+  }
 }
 
 }  // namespace
