@@ -5,6 +5,7 @@
 #include <suture/rt/state/state_table.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <system_error>
@@ -59,6 +60,11 @@ BlackBoxOptions checked(BlackBoxOptions options) {
                      "Keep at most " + std::to_string(StateOptions::kMostRows));
   }
   rt::positivePeriod("a black box", options.period);
+  if (!options.tell) {
+    options.tell = [](const std::string& text) {
+      std::fprintf(stderr, "black box: %s\n", text.c_str());
+    };
+  }
   return options;
 }
 

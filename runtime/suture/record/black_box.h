@@ -21,8 +21,9 @@ struct BlackBoxOptions {
   /// Is how many rows of the past each interface keeps at least (ProvidedBase::keepState); with 0
   /// it keeps as many as its component has asked for.
   unsigned rows = 0;
-  /// Is called, in the box's thread, with what has been written or why it could not be.
-  std::function<void(const std::string&)> tell = [](const std::string&) {};
+  /// Is called, in the box's thread, with what has been written or why it could not be. Without it,
+  /// standard error gets that.
+  std::function<void(const std::string&)> tell = nullptr;
 };
 
 /// Watches components from a thread of its own. When one has been faulted, writes the rows of its

@@ -160,6 +160,24 @@ TEST_F(Boxed, AFullDiskIsTold) {
   EXPECT_NE(toldAfterFault().find("the file system did not take all of it"), std::string::npos);
 }
 
+TEST(BlackBox, TellsStandardErrorIfNobodyElseIsToHear) {
+  const TemporaryDirectory directory;
+  Arm arm;
+  Manager manager("here");
+  manager.add("PSM", arm);
+  testing::internal::CaptureStderr();
+  {
+    const BlackBox box({&arm}, {.folder = directory.file("")});
+    manager.start();
+    arm.broken = 1;
+    EXPECT_TRUE(eventually([&] { return arm.state() == ComponentState::Faulted; }));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "black box: component 'PSM' faulted: the drive did not answer. Its last state is in " +
+                directory.file("PSM.1.jsonl") + "\n");
+  manager.stop();
+}
+
 TEST(BlackBox, RefusesMoreRowsThanAreOfUse) {
   Arm arm;
   EXPECT_EQ(refusal([&] { BlackBox({&arm}, {.folder = "/tmp", .rows = 3'000'000'000}); }),
