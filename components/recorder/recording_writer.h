@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <sstream>
 #include <utility>
@@ -20,8 +21,9 @@ namespace robots {
 /// Has a ring that a task fills, and a task of its own that writes it to the file, twenty times a
 /// second. The destructor writes what is left. A start that is refused leaves an earlier recording:
 /// call open() when the owner is configured, and begin() when it starts. Rows that are lost are
-/// told in the file as soon as that takes anything. A row must have a function write(std::ostream&,
-/// row) in its own namespace, and must be copied without an allocation.
+/// told in the file as soon as that takes anything, and the first of them on standard error. A row
+/// must have a function write(std::ostream&, row) in its own namespace, and must be copied without
+/// an allocation.
 template <class Row>
 class RecordingWriter final : private suture::PeriodicTask {
  public:
@@ -79,7 +81,14 @@ class RecordingWriter final : private suture::PeriodicTask {
       told_ = lost;
     } else {
       lost_.fetch_add(written - before, std::memory_order_relaxed);
+      complain();
     }
+  }
+
+  // The file cannot tell of this.
+  void complain() {
+    if (std::exchange(complained_, true)) return;
+    std::fprintf(stderr, "%s\n", file_.refusal().what());
   }
 
   suture::LineFile file_;
@@ -91,6 +100,7 @@ class RecordingWriter final : private suture::PeriodicTask {
   std::atomic<bool> begun_{false};
   std::atomic<std::uint64_t> lost_{0};
   std::uint64_t told_ = 0;  // by the file
+  bool complained_ = false;
 };
 
 }  // namespace robots

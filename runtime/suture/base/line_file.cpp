@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <poll.h>
 #include <suture/base/errors.h>
 #include <suture/base/line_file.h>
 #include <sys/file.h>
@@ -32,18 +33,22 @@ SetupError cannotBeWritten(const std::filesystem::path& file) {
                     "Name a file in an existing folder that you may write to");
 }
 
-/// Waits for no reader of a pipe, which may never come, while the process starts.
+/// Waits for no reader of a pipe, which may never come, here or later.
 int openWithoutWaiting(const std::filesystem::path& file) {
   const int descriptor =
       open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, kRights);
-  if (descriptor >= 0) {
-    std::ignore = fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
-    return descriptor;
-  }
+  if (descriptor >= 0) return descriptor;
   std::error_code ignored;
   if (errno != ENXIO || !std::filesystem::is_fifo(file, ignored)) throw cannotBeWritten(file);
   throw SetupError("recording to " + file.string(), "it is a pipe that nobody reads",
                    "Start its reader first, or name a file");
+}
+
+/// Returns false if what reads has taken nothing for 1 s.
+bool awaitsMore(int descriptor) {
+  constexpr int kPatience = 1000;  // ms
+  pollfd asked{.fd = descriptor, .events = POLLOUT, .revents = 0};
+  return poll(&asked, 1, kPatience) != 0;
 }
 
 /// While one exists, no SIGPIPE comes to this thread. It would end the process as soon as the
@@ -85,7 +90,7 @@ LineFile::~LineFile() {
 
 // A file system that knows no locks is used without one.
 void LineFile::take() {
-  if (descriptor_ >= 0) return;
+  if (descriptor_ >= 0 || problem_ == Problem::NotRead) return;
   descriptor_ = openWithoutWaiting(file_);
   struct stat status {};
   regular_ = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
@@ -99,18 +104,47 @@ bool LineFile::append(std::string_view lines) {
   if (descriptor_ < 0) return false;
   if (!replaced_) replaced_ = !regular_ || ftruncate(descriptor_, 0) == 0;
   struct stat before {};
+  problem_ = Problem::Full;
   if (!replaced_ || fstat(descriptor_, &before) != 0) return false;
+  if (regular_ && before.st_nlink == 0) {
+    problem_ = Problem::Removed;
+    return false;
+  }
   if (writeAll(lines)) return true;
   // The lines that come once there is room must not follow a torn one. A device keeps nothing.
   if (regular_) std::ignore = ftruncate(descriptor_, before.st_size);
   return false;
 }
 
-bool LineFile::writeAll(std::string_view lines) const {
+SetupError LineFile::refusal() const {
+  const std::string asked = "recording to " + file_.string();
+  switch (problem_) {
+    case Problem::Removed:
+      return SetupError(asked, "the file was removed or replaced while it was written",
+                        "Leave it there until the recording ends");
+    case Problem::NotRead:
+      return SetupError(asked, "the reader of this pipe has taken nothing for 1 s",
+                        "Start it anew with a reader that reads on");
+    case Problem::Full: break;
+  }
+  return SetupError(asked, "the file system did not take all of it", "Make room there");
+}
+
+// The reader has a torn line now, behind which nothing may come.
+void LineFile::giveUp() {
+  problem_ = Problem::NotRead;
+  close(std::exchange(descriptor_, -1));
+}
+
+bool LineFile::writeAll(std::string_view lines) {
   const NoPipeSignal guard;
   while (!lines.empty()) {
     const ssize_t taken = write(descriptor_, lines.data(), lines.size());
     if (taken < 0 && errno == EINTR) continue;
+    if (taken < 0 && errno == EAGAIN) {
+      if (awaitsMore(descriptor_)) continue;
+      giveUp();
+    }
     if (taken <= 0) return false;
     lines.remove_prefix(static_cast<std::size_t>(taken));
   }

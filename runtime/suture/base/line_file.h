@@ -1,6 +1,9 @@
 #pragma once
 // This is a file that one recording at a time fills with lines.
 
+#include <suture/base/errors.h>
+
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 
@@ -21,16 +24,24 @@ class LineFile {
   /// is called again. Throws SetupError, also for a pipe that nobody reads.
   void take();
   /// Returns false if the file system did not take all of it; then the file has none of it, and
-  /// ends with a whole line.
+  /// ends with a whole line. Also returns false once the file has been removed, since nobody could
+  /// read it then; a file that has been renamed is written under its new name. Waits for a reader
+  /// of a pipe who is slow, but gives the pipe up for good if he takes nothing for 1 s.
   bool append(std::string_view lines);
+  /// Returns why append() has returned false.
+  SetupError refusal() const;
 
  private:
-  bool writeAll(std::string_view lines) const;
+  enum class Problem : std::uint8_t { Full, Removed, NotRead };
+
+  bool writeAll(std::string_view lines);
+  void giveUp();
 
   const std::filesystem::path file_;
   int descriptor_ = -1;
-  bool regular_ = false;   // no device or pipe, which others may use too
-  bool replaced_ = false;  // what it had before is gone
+  bool regular_ = false;             // no device or pipe, which others may use too
+  bool replaced_ = false;            // what it had before is gone
+  Problem problem_ = Problem::Full;  // the last that there was
 };
 
 }  // namespace suture

@@ -112,9 +112,7 @@ void JsonLines::settle(const CollectedInterface& from) {
   put();
   const auto lost = lost_.extract(from.collector);
   if (lost.empty()) return;
-  throw NotKept(SetupError("recording to " + file_.path().string(),
-                           "the file system did not take all of it", "Make room there"),
-                lost.mapped().collected, lost.mapped().missed);
+  throw NotKept(file_.refusal(), lost.mapped().collected, lost.mapped().missed);
 }
 
 bool JsonLines::flush() {

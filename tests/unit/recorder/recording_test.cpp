@@ -139,6 +139,25 @@ TEST_F(RecordingTest, CountsWhatTheDiskDoesNotTake) {
   EXPECT_TRUE(suture::eventually([&] { return writer.lost() == 4; })) << "and what comes later";
 }
 
+TEST_F(RecordingTest, CountsAndTellsWhatComesOnceItsFileIsRemoved) {
+  testing::internal::CaptureStderr();
+  {
+    RecordingWriter<Record> writer(file_, kRecords);
+    begin(writer);
+    EXPECT_TRUE(suture::eventually([&] { return std::filesystem::exists(file_); }));
+    std::filesystem::remove(file_);
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(writer.push(ArmRow{}));
+    EXPECT_TRUE(suture::eventually([&] { return writer.lost() == 3; }));
+    EXPECT_TRUE(writer.push(ArmRow{}));
+    EXPECT_TRUE(suture::eventually([&] { return writer.lost() == 4; }));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "recording to " + file_.string() +
+                ": the file was removed or replaced while it was written. Leave it there until "
+                "the recording ends\n")
+      << "once";
+}
+
 TEST_F(RecordingTest, SaysHowManyRowsItLacks) {
   constexpr std::size_t kRoom = 8;
   {
