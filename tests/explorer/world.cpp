@@ -306,9 +306,10 @@ class World {
 
 Outcome runWorld(std::uint64_t seed) {
   Outcome outcome;
-  suture::TestClock clock({.seed = seed, .problem = [&outcome](const std::string& problem) {
-                             outcome.broken.push_back(problem);
-                           }});
+  suture::TestClock clock(
+      {.seed = seed, .traced = true, .problem = [&outcome](const std::string& problem) {
+         outcome.broken.push_back(problem);
+       }});
   World world(seed, clock, outcome);
   world.run();
   for (std::string& violation : suture::violations(world.history(), {.lateness = kLateness})) {

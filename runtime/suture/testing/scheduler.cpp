@@ -110,7 +110,7 @@ void Scheduler::retract(std::size_t thread) {
 }
 
 void Scheduler::note(Kind kind, const char* interface, const char* what, std::uint64_t number) {
-  if (options_.threads == Threads::Together) return;
+  if (!options_.traced || options_.threads == Threads::Together) return;
   const Lock lock(mutex_);
   trace_.push_back({.time = now() - begin_,
                     .thread = current == nullptr ? "a thread of the test" : current->name,

@@ -70,6 +70,7 @@ class Scheduler final : public VirtualTime {
   static void enterProcess(std::size_t process);
   void freeze(std::size_t process);
   void thaw(std::size_t process);
+  bool isTraced() const { return options_.traced; }
   const Trace& trace() const { return trace_; }
 
  private:

@@ -34,7 +34,11 @@ void TestClock::spend(Duration duration) {
   if (time != nullptr) time->spend(duration);
 }
 
-const Trace& TestClock::trace() const { return scheduler_->trace(); }
+const Trace& TestClock::trace() const {
+  if (scheduler_->isTraced()) return scheduler_->trace();
+  throw SetupError("reading the trace of a TestClock", "it keeps none",
+                   "Make it with TestClockOptions::traced");
+}
 
 TestClock::Hold::Hold(TestClock& clock) : clock_(clock) { clock_.scheduler_->hold(); }
 

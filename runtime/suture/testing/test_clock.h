@@ -31,6 +31,8 @@ struct TestClockOptions {
   /// that was rung first, then the one that was started first. Any other number chooses by chance,
   /// repeatably.
   std::uint64_t seed = 0;
+  /// Keeps what happens for TestClock::trace(). An hour of a system takes gigabytes.
+  bool traced = false;
   /// Is called when something happens that must not: a thread found work at a deadline that exists
   /// only in case a ring is lost, or nothing can happen any more. May be called in any thread.
   /// Without it, the program is aborted.
@@ -78,7 +80,8 @@ class TestClock {
   /// Any thread of Suture. Makes its cycle take `duration` longer; others run meanwhile.
   static void spend(Duration duration);
 
-  /// Returns everything that the threads have done, in order; empty if they run together.
+  /// Returns everything that the threads have done, in order; empty if they run together. Throws
+  /// SetupError unless the clock is traced.
   const Trace& trace() const;
 
   /// While it lives, time stands still even if nothing runs. Use it for what a thread that the test

@@ -53,6 +53,13 @@ TEST(TestClock, IsTheOnlyOneOfItsProcess) {
   clock.advance(1ms);
 }
 
+TEST(TestClock, KeepsNoTraceUnlessItIsAskedTo) {
+  TestClock clock;
+  EXPECT_EQ(refusal([&] { (void)clock.trace(); }),
+            "reading the trace of a TestClock: it keeps none. Make it with "
+            "TestClockOptions::traced");
+}
+
 TEST(TestClock, LeavesTheKernelsClockBehindWhenItEnds) {
   { TestClock clock; }
   EXPECT_EQ(virtualTime(), nullptr);

@@ -97,7 +97,7 @@ TEST_P(TwoManagers, SendOnceEachPeriodAndLoseNothing) {
 }
 
 Trace traceOf(Lane lane, std::uint64_t seed) {
-  TestClock clock({.seed = seed});
+  TestClock clock({.seed = seed, .traced = true});
   {
     System system(lane);
     clock.advance(300ms);
