@@ -39,6 +39,25 @@ TEST(Deployment, OneProcessNeedsNoManagerAndNoNames) {
   EXPECT_EQ(deployment.connections()[0].from.toString(), "all:a/X");
 }
 
+// The global manager, of which the file may know nothing, refuses the same names.
+TEST(Deployment, NamesOfProcessesAreCheckedWithoutAManager) {
+  const auto problemsWith = [](const std::string& name) {
+    return problemsOf(R"({"processes": [{"name": ")" + name + R"(", "components": []}]})");
+  };
+  const std::string longest(100, 'a');
+  EXPECT_TRUE(problemsWith(longest).empty());
+  for (const std::string& name :
+       {std::string(), std::string("a b"), std::string("a\\tb"), std::string("a\\nb"),
+        std::string("a:b"), std::string("a/b"), longest + "a"}) {
+    const auto problems = problemsWith(name);
+    ASSERT_EQ(problems.size(), 1u) << name;
+    EXPECT_TRUE(problems[0].starts_with(
+        "d.json:1: error: expected a name of 1 to 100 characters, none of them ':', '/' or a "
+        "space, given to the program as --process; found string "))
+        << problems[0];
+  }
+}
+
 TEST(Deployment, UnknownKeySuggestsTheRightOne) {
   expectOnly(with("\"lane\"", "\"lanes\""),
              "d.json:18: error: unknown key 'lanes'; did you mean 'lane'?");
