@@ -13,14 +13,15 @@
 #include "arm/arm.suture.h"
 #include "integration/teleoperation/scene/workstation.h"
 #include "support/patience.h"
+#include "support/temporary_directory.h"
 
 namespace robots::test {
 namespace {
 
 using namespace std::chrono_literals;
 
-struct Operator final : suture::Device {
-  Operator() {
+struct CrtkClient final : suture::Device {
+  CrtkClient() {
     arm.on().goal_reached([this](const bool& reached) { goals.push_back(reached); });
     arm.on().operating_state([this](const OperatingState& now) { state = now.state; });
     arm.on().error([this](const suture::Message& message) { errors.push_back(message.text); });
@@ -55,12 +56,13 @@ class Crtk : public testing::TestWithParam<bool> {
     return enough();
   }
 
+  const suture::TemporaryDirectory directory_;
   suture::rpc::ControlThread control_;
-  suture::GlobalManager names_{control_, "tcp://127.0.0.1:0"};
+  suture::GlobalManager names_{control_, "unix:" + directory_.file("manager.sock")};
   suture::Manager here_{"here", names_.address()};
   suture::Manager there_{"there", names_.address()};
   DrivenPsm psm_;
-  Operator operator_;
+  CrtkClient operator_;
 };
 
 /// A listener of standard messages hears those of an arm.
