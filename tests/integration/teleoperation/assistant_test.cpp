@@ -79,6 +79,12 @@ class AssistantTest : public testing::Test {
     EXPECT_TRUE(until([this] { return slaveState() == ArmState::Fault; }));
     manager_.resume("PSMDrives");
   }
+  /// Somebody who looks for the cause of a fault disables the slave, and it stays so.
+  void expectSlaveStaysDisabled() {
+    ASSERT_TRUE(bystander_.slave.disable());
+    pass(10s);
+    EXPECT_EQ(slaveState(), ArmState::Disabled);
+  }
   ArmState slaveState() const { return slave_.arm.operating_state().state; }
   bool isUp() const { return console_->console_state() == ConsoleState::Up; }
   bool follows() const { return teleop_.teleop_state() == TeleopState::Following; }
@@ -209,9 +215,7 @@ TEST_F(AssistantTest, LeavesAnArmInFault) {
   failSlave();
   pass(10s);
   EXPECT_EQ(slaveState(), ArmState::Fault);
-  ASSERT_TRUE(bystander_.slave.disable());
-  pass(10s);
-  EXPECT_EQ(slaveState(), ArmState::Disabled) << "somebody looks for the cause";
+  expectSlaveStaysDisabled();
 }
 
 TEST_F(AssistantTest, LeavesASystemDownOfWhichAnArmIsInFault) {
@@ -222,9 +226,7 @@ TEST_F(AssistantTest, LeavesASystemDownOfWhichAnArmIsInFault) {
   pass(10s);
   EXPECT_EQ(slaveState(), ArmState::Fault);
   EXPECT_EQ(console_->console_state(), ConsoleState::Down);
-  ASSERT_TRUE(bystander_.slave.disable());
-  pass(10s);
-  EXPECT_EQ(slaveState(), ArmState::Disabled) << "somebody looks for the cause";
+  expectSlaveStaysDisabled();
 }
 
 TEST_F(AssistantTest, LeavesASystemDownOfWhichSomebodyHasDisabledAnArm) {
