@@ -49,10 +49,17 @@ void findJumps(const std::vector<ArmRow>& rows, std::size_t first, std::size_t l
   }
 }
 
+std::string whyAtRest(bool enabled) {
+  if (enabled) return "it never moved again";
+  return "it never moved again, and was not enabled at the end: an arm whose drives fell silent "
+         "stays in FAULT until a person enables or disables it";
+}
+
 }  // namespace
 
 HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, suture::Time mended) {
   HoldJudgement judgement;
+  judgement.enabled_at_end = rows.empty() || rows.back().enabled;
   std::size_t lastBefore = 0;  // the break
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].stamp < broken) lastBefore = i;
@@ -66,7 +73,7 @@ HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, su
     findJumps(rows, lastBefore, i, judgement);
     if (rows[i].stamp < mended) {
       judgement.held_after = secondsBetween(broken, rows[i].stamp);
-    } else if (!judgement.resumed_after) {
+    } else if (rows[i].enabled && !judgement.resumed_after) {
       judgement.resumed_after = secondsBetween(mended, rows[i].stamp);
     }
   }
@@ -82,7 +89,7 @@ std::vector<std::string> violations(const HoldJudgement& judgement, const HoldBo
     found.push_back(sentence("it moved until %.0f ms after that, at most %.0f ms allowed",
                              1e3 * judgement.held_after, 1e3 * bounds.held_after));
   }
-  if (!judgement.resumed_after) found.push_back("it never moved again");
+  if (!judgement.resumed_after) found.push_back(whyAtRest(judgement.enabled_at_end));
   if (judgement.largest_jump > kLargestJump) {
     found.push_back(sentence("its set-point jumped by %.1f mm, at most %.1f mm allowed",
                              1e3 * judgement.largest_jump, 1e3 * kLargestJump));

@@ -17,8 +17,10 @@ struct HoldJudgement {
   /// moved before.
   std::optional<double> rested_before;
   double held_after = 0;  ///< s from the break until the set-point moved for the last time
-  /// In s: is the time from the mending until it moved again; none if it did not.
+  /// In s: is the time from the mending until it moved again while it was enabled; none if it did
+  /// not.
   std::optional<double> resumed_after;
+  bool enabled_at_end = true;  ///< it would have obeyed
   /// Are, since the break, by how much the set-point moved farther within 50 ms, or less, than a
   /// fast hand does, in m, and by how much it turned farther, in rad.
   double largest_jump = 0;

@@ -93,6 +93,14 @@ TEST(HoldJudge, FindsAnArmThatNeverMovedAgain) {
   EXPECT_EQ(onlyViolation(armThatHolds(kBroken, suture::Time{12s})), "it never moved again");
 }
 
+TEST(HoldJudge, SaysWhyAnArmInFaultNeverMovedAgain) {
+  auto rows = armThatHolds(kBroken, kMended);  // its set-point follows what moves the joints
+  for (ArmRow& row : rows) row.enabled = row.stamp < kBroken + 250ms;
+  EXPECT_EQ(onlyViolation(rows),
+            "it never moved again, and was not enabled at the end: an arm whose drives fell silent "
+            "stays in FAULT until a person enables or disables it");
+}
+
 TEST(HoldJudge, FindsAnArmThatCatchesUpAtOnce) {
   const auto rows = armThatMoves(jumps(0.10025, 1ms, 1e-4));
   EXPECT_EQ(onlyViolation(rows), "its set-point jumped by 100.0 mm, at most 3.0 mm allowed");
