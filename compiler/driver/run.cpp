@@ -53,6 +53,13 @@ void checkDeclarations(const model::Model& model) {
   }
 }
 
+bool hasLock(const std::string& headerPath, const Options& options) {
+  return std::any_of(options.lockDirectories.begin(), options.lockDirectories.end(),
+                     [file = lock::lockPath(headerPath)](const fs::path& directory) {
+                       return fs::is_regular_file(directory / file);
+                     });
+}
+
 /// Returns where the lock of a header may be, best first. The lock of an installed header lies
 /// beside it.
 std::vector<fs::path> lockPlaces(const model::Header& header, const Options& options) {
@@ -113,7 +120,8 @@ class Run {
                    options.baseDirectory,
                    resourceDirectory(options.resourceDirectory),
                    options.clangArguments,
-                   {options.fatalWarnings.begin(), options.fatalWarnings.end()}}) {
+                   {options.fatalWarnings.begin(), options.fatalWarnings.end()},
+                   [this](const std::string& path) { return hasLock(path, options_); }}) {
     lockOptions_ = {options.project,     options.lockDirectories.front(),
                     options.lockCommand, options.breakCommand,
                     options.acceptBreak, options.newIds};

@@ -19,7 +19,7 @@ class Frontend::Implementation {
     clang::CompilerInstance& compiler = unit_.compiler();
     HeaderTable headers(compiler.getSourceManager(),
                         compiler.getPreprocessor().getHeaderSearchInfo(), unit_.includes(),
-                        request_.baseDirectory);
+                        request_.baseDirectory, request_.hasLock);
     for (const std::string& header : request_.headers) headers.addOwn(header);
     model::Diagnostics findings;
     model_ = mapUnit(compiler.getSema(), unit_.includes(), headers, table_, unit_.annotationUses(),

@@ -2,6 +2,7 @@
 // This takes annotated headers and returns a model. The rest of the compiler sees clang through
 // this header only.
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -20,6 +21,9 @@ struct Request {
   std::string resourceDirectory;  ///< clang's own headers: <dir>/include/stddef.h
   std::vector<std::string> clangArguments;
   std::set<std::string> fatalWarnings;  ///< slugs, or "all"
+  /// Tells if a lock folder has the lock of a header with this path: it decides where the include
+  /// path leaves several.
+  std::function<bool(const std::string& path)> hasLock;
 };
 
 /// Is one run of clang over one translation unit that includes all headers of a target. It stays

@@ -21,11 +21,12 @@ std::optional<std::string> below(const std::string& directory, llvm::StringRef f
 }  // namespace
 
 HeaderTable::HeaderTable(const clang::SourceManager& sources, clang::HeaderSearch& search,
-                         const Includes& includes, std::string baseDirectory)
+                         const Includes& includes, std::string baseDirectory, HasLock hasLock)
     : sources_(sources),
       search_(search),
       includes_(includes),
-      baseDirectory_(std::move(baseDirectory)) {}
+      baseDirectory_(std::move(baseDirectory)),
+      hasLock_(std::move(hasLock)) {}
 
 bool HeaderTable::addOwn(const std::string& header) {
   const auto file = sources_.getFileManager().getOptionalFileRef(header);
@@ -44,8 +45,7 @@ model::Header& HeaderTable::of(const clang::Decl* declaration) {
   if (added) {
     entry->second.own = false;
     if (file) {
-      const std::optional<std::string> included = includes_.pathOf(*file);
-      entry->second.path = included ? *included : pathOf(*file);
+      entry->second.path = foreignPathOf(*file);
       entry->second.file = file->getName().str();
     }
   }
@@ -67,6 +67,27 @@ clang::OptionalFileEntryRef HeaderTable::fileOf(const clang::Decl* declaration) 
 std::string HeaderTable::pathOf(clang::FileEntryRef file) const {
   if (auto relative = below(baseDirectory_, file.getName())) return *relative;
   return search_.suggestPathToFileForDiagnostics(file, "");
+}
+
+// A target whose include root is another one than that of a header cannot tell its path from where
+// the file lies: "x.h" may have been found beside its includer. Whatever the root, the lock has its
+// path below it.
+std::string HeaderTable::foreignPathOf(clang::FileEntryRef file) const {
+  if (const auto generated = includes_.generatedPathOf(file)) return *generated;
+  const std::vector<std::string> paths = possiblePathsOf(file);
+  const auto locked = std::find_if(paths.begin(), paths.end(), hasLock_);
+  return locked != paths.end() ? *locked : paths.front();
+}
+
+/// Returns the likely ones first.
+std::vector<std::string> HeaderTable::possiblePathsOf(clang::FileEntryRef file) const {
+  std::vector<std::string> paths;
+  if (const auto included = includes_.pathOf(file)) paths.push_back(*included);
+  paths.push_back(pathOf(file));
+  for (const clang::DirectoryLookup& directory : search_.search_dir_range()) {
+    if (auto path = below(directory.getName().str(), file.getName())) paths.push_back(*path);
+  }
+  return paths;
 }
 
 std::vector<model::Header> HeaderTable::take() {

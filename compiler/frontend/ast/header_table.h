@@ -5,6 +5,7 @@
 #include <clang/Basic/FileManager.h>
 #include <clang/Lex/HeaderSearch.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,10 +15,13 @@
 
 namespace suture::compiler::frontend {
 
+/// Tells if a lock folder has the lock of a header with this path.
+using HasLock = std::function<bool(const std::string& path)>;
+
 class HeaderTable {
  public:
   HeaderTable(const clang::SourceManager& sources, clang::HeaderSearch& search,
-              const Includes& includes, std::string baseDirectory);
+              const Includes& includes, std::string baseDirectory, HasLock hasLock);
 
   /// Adds a header of the target itself. Returns false if there is no such file.
   bool addOwn(const std::string& header);
@@ -34,11 +38,14 @@ class HeaderTable {
  private:
   clang::OptionalFileEntryRef fileOf(const clang::Decl* declaration) const;
   std::string pathOf(clang::FileEntryRef file) const;
+  std::string foreignPathOf(clang::FileEntryRef file) const;
+  std::vector<std::string> possiblePathsOf(clang::FileEntryRef file) const;
 
   const clang::SourceManager& sources_;
   clang::HeaderSearch& search_;
   const Includes& includes_;
   std::string baseDirectory_;
+  HasLock hasLock_;
   std::map<const clang::FileEntry*, model::Header> headers_;
 };
 

@@ -72,12 +72,18 @@ bool Includes::throughGenerated(clang::FileEntryRef from, clang::FileEntryRef he
   return behindGenerated.contains(header);
 }
 
+std::optional<std::string> Includes::generatedPathOf(clang::FileEntryRef header) const {
+  return find(generatedPaths_, header);
+}
+
 std::optional<std::string> Includes::pathOf(clang::FileEntryRef header) const {
-  for (const Paths* paths : {&generatedPaths_, &paths_}) {
-    const auto found = paths->find(&header.getFileEntry());
-    if (found != paths->end()) return found->second;
-  }
-  return std::nullopt;
+  return find(paths_, header);
+}
+
+std::optional<std::string> Includes::find(const Paths& paths, clang::FileEntryRef header) {
+  const auto found = paths.find(&header.getFileEntry());
+  if (found == paths.end()) return std::nullopt;
+  return found->second;
 }
 
 void Includes::reach(const clang::FileEntry* from, Files& reached) const {

@@ -21,21 +21,24 @@ class Includes {
   /// one that includes it: only these declare what is generated.
   bool throughGenerated(clang::FileEntryRef from, clang::FileEntryRef header) const;
 
-  /// Returns the path below a directory of the include path at which `header` was found, or nothing
-  /// if it was found beside its includers only. A target whose include root is another one than
-  /// that of `header` cannot tell it from where the file lies. What is generated lies at one path
-  /// alone, so an include of that says it, and one of the header itself only if there is no other.
+  /// Returns the path at which the generated header of `header` was included, or nothing if it was
+  /// not. What is generated lies at one path alone, so this is certain.
+  std::optional<std::string> generatedPathOf(clang::FileEntryRef header) const;
+
+  /// Returns the path below a directory of the include path at which `header` itself was first
+  /// found, or nothing if it was found beside its includers only.
   std::optional<std::string> pathOf(clang::FileEntryRef header) const;
 
  private:
   class Watcher;
   using Files = std::set<const clang::FileEntry*>;
+  using Paths = std::map<const clang::FileEntry*, std::string>;
 
+  static std::optional<std::string> find(const Paths& paths, clang::FileEntryRef header);
   void reach(const clang::FileEntry* from, Files& reached) const;
 
   std::map<const clang::FileEntry*, Files> included_;
   Files generated_;
-  using Paths = std::map<const clang::FileEntry*, std::string>;
   Paths paths_;           // by header
   Paths generatedPaths_;  // by header, as an include of its generated header says them
 };
