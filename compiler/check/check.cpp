@@ -42,7 +42,7 @@ model::Diagnostics check(const model::Model& model) {
     checkEnums(header, findings);
     checkExchanges(header, findings);
     checkNumbers(header, findings);
-    checkInitialisers(header, findings);
+    checkInitialisers(header, lookup, findings);
     checkQueues(header, findings);
     checkContracts(header, findings);
     checkLifecycles(header, lookup, findings);

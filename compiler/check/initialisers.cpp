@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "compiler/check/rules.h"
 
 namespace suture::compiler::check {
@@ -6,6 +8,18 @@ namespace {
 /// Tells if default-range refuses the field, because 0 is what counts for it.
 bool excludesZero(const model::Field& field) {
   return field.range && (field.range->first > 0 || field.range->second < 0);
+}
+
+/// Tells if a field of this type that nothing initialises holds what its memory held. A struct that
+/// can be edited is told where it is declared.
+bool isRaw(const model::Type& type, const model::Lookup& lookup) {
+  if (type.shape == model::Type::Shape::Array) return isRaw(type.element.front(), lookup);
+  if (type.shape != model::Type::Shape::Struct) return true;
+  const model::Struct* const whole = lookup.findStruct(type.name);
+  if (whole == nullptr || !whole->isExternal) return false;
+  return std::any_of(whole->fields.begin(), whole->fields.end(), [&](const model::Field& field) {
+    return (field.isBase || field.unset) && isRaw(field.type, lookup);
+  });
 }
 
 void warn(const model::Field& field, model::Diagnostics& findings) {
@@ -22,10 +36,13 @@ void warn(const model::Field& field, model::Diagnostics& findings) {
 
 }  // namespace
 
-void checkInitialisers(const model::Header& header, model::Diagnostics& findings) {
+void checkInitialisers(const model::Header& header, const model::Lookup& lookup,
+                       model::Diagnostics& findings) {
   for (const model::Struct& type : header.structs) {
+    if (type.isExternal) continue;
     for (const model::Field& field : type.fields) {
-      if (field.unset && !excludesZero(field)) warn(field, findings);
+      const bool mayBeZero = field.unset && !excludesZero(field);
+      if (mayBeZero && isRaw(field.type, lookup)) warn(field, findings);
     }
   }
 }

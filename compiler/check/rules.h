@@ -31,8 +31,10 @@ void checkExchanges(const model::Header& header, model::Diagnostics& findings);
 /// within their ranges.
 void checkNumbers(const model::Header& header, model::Diagnostics& findings);
 
-/// Warns of fields that nothing initialises: what their memory held would be sent.
-void checkInitialisers(const model::Header& header, model::Diagnostics& findings);
+/// Warns of fields that nothing initialises: what their memory held would be sent. Fields of
+/// structs that cannot be edited are told at the fields that have such a struct.
+void checkInitialisers(const model::Header& header, const model::Lookup& lookup,
+                       model::Diagnostics& findings);
 
 /// Checks that queue(), latest() and ttl() stand where they mean something, and that none excludes
 /// another.

@@ -198,7 +198,11 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   const Default standard = defaultOf(declaration, field.type);
   field.defaultJson = standard.json;
   field.isPreset = isPreset(declaration);
-  if (!candidate.isExternal) field.unset = unsetState(declaration, field.type, mapping);
+  if (candidate.isExternal) {
+    if (isRaw(declaration, field.type)) field.unset.emplace();
+  } else {
+    field.unset = unsetState(declaration, field.type, mapping);
+  }
   field.doc = mapping.documentationOf(declaration);
   field.source = mapping.sourceOf(candidate.field);
   checkDefault(candidate, standard.state, mapping);
@@ -381,6 +385,7 @@ model::Struct mapStructDeclaration(const DataDeclaration& declared, Mapping& map
   model::Struct result;
   result.name = declared.name;
   result.wireName = declared.wireName;
+  result.isExternal = declared.external.has_value();
   result.was = declared.was;
   result.lifecycle = declared.lifecycle;
   checkShape(declared, mapping);

@@ -115,8 +115,8 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
 
   void add(const DataDeclaration& declared) {
     model::Struct mapped = mapStructDeclaration(declared, mapping_);
-    if (!headers_.isOwn(
-            declared.record)) {  // a template of another target, which has an alias here
+    // A template of another target may have an alias here.
+    if (!mapped.isExternal && !headers_.isOwn(declared.record)) {
       for (model::Field& field : mapped.fields) field.unset.reset();
     }
     add(&model::Header::structs, std::move(mapped), declared.record, declared.place);

@@ -37,6 +37,11 @@ clang::QualType elementOf(clang::QualType type) {
   return record->getTemplateArgs()[0].getAsType().getCanonicalType();
 }
 
+/// Tells if "{}" behind a variable of this class sets what its constructor leaves as it was.
+bool takesZeros(clang::QualType type, llvm::StringRef name) {
+  return isClass(type, name) && !type->getAsCXXRecordDecl()->hasUserProvidedDefaultConstructor();
+}
+
 /// Judges by the C++ type as well as by its form on the wire, which a class with a suture::Wire
 /// shares with others.
 Content contentOf(clang::QualType type, const model::Type& mapped) {
@@ -53,6 +58,7 @@ Content contentOf(clang::QualType type, const model::Type& mapped) {
       const clang::QualType element = elementOf(type);
       return element.isNull() ? Content::Given : contentOf(element, mapped.element.front());
     }
+    case Shape::Struct: return rawIf(takesZeros(type, mapped.name), Content::Raw);
     default: return Content::Given;
   }
 }
@@ -102,6 +108,11 @@ std::optional<model::Fix> fixOf(const clang::FieldDecl* field, const std::string
 }
 
 }  // namespace
+
+bool isRaw(const clang::FieldDecl* field, const model::Type& type) {
+  const Content content = contentOf(field->getType().getCanonicalType(), type);
+  return content == Content::Raw && isUnset(field, content);
+}
 
 std::optional<model::Unset> unsetState(const clang::FieldDecl* field, const model::Type& type,
                                        Mapping& mapping) {

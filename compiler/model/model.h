@@ -91,6 +91,7 @@ struct Struct {
   std::string wireName;
   /// Says where functions on it are found by their argument, if that is not its header's namespace.
   std::optional<std::string> foreignNamespace;
+  bool isExternal = false;  ///< SUTURE_EXTERNAL_TYPE names it, since it cannot be edited
   std::vector<Field> fields;
   std::optional<std::string> was;  ///< its C++ name before, as written
   Lifecycle lifecycle;

@@ -13,11 +13,26 @@ namespace lib {
 struct Point {
   double x, y;
 };
+struct Wrench : Point {
+  Point moment;
+  std::string label;
+};
+struct Settled {
+  Settled();
+  double x;
+};
+struct Given {
+  double x = 0;
+  Eigen::Vector3d axis;
+};
 }  // namespace lib
 namespace demo {
 enum class SUTURE_TYPE() Mode { Servo = 1, Off = 0 };
 enum class SUTURE_TYPE() Step { First = 1, Second };
 SUTURE_EXTERNAL_TYPE(lib::Point);
+SUTURE_EXTERNAL_TYPE(lib::Wrench, all(), member(label, capacity(3)));
+SUTURE_EXTERNAL_TYPE(lib::Settled);
+SUTURE_EXTERNAL_TYPE(lib::Given);
 struct SUTURE_TYPE() Grip {
   double width;
   bool closed;
@@ -35,6 +50,11 @@ struct SUTURE_TYPE() Grip {
   std::array<Eigen::Vector2d, 2> corners{};
   SUTURE_FIELD(range(-1, 1)) float share;
   double aligned [[maybe_unused]];
+};
+struct SUTURE_TYPE() OfOthers {
+  lib::Point point;
+  lib::Wrench wrench;
+  std::array<lib::Point, 2> both;
 };
 #define PLAIN double plain
 struct SUTURE_TYPE() InMacro {
@@ -71,7 +91,10 @@ struct SUTURE_TYPE() Quiet {
   SUTURE_FIELD(capacity(3)) std::string text;
   SUTURE_FIELD(capacity(3)) std::vector<double> list;
   SUTURE_FIELD(skip()) double hidden;
-  lib::Point point;
+  lib::Point point{};
+  lib::Settled settled;
+  lib::Given given;
+  std::optional<lib::Point> none;
   Bare bare;
   BareInt box;
 };

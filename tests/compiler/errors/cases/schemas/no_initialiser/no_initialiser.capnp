@@ -99,4 +99,35 @@ struct Quiet @0xc504d0fbfbe84ce9 $Meta.cxx("demo::Quiet") {
   point @11 :Point;
   bare @12 :Bare.Bare;
   box @13 :BareInt;
+  settled @14 :Settled;
+  given @15 :Given;
+  none @16 :NoInitialiserOptionalPoint;
+}
+
+struct NoInitialiserOptionalPoint @0xa33d63b2bca19440 {
+  union {
+    none @0 :Void;
+    some @1 :Point;
+  }
+}
+
+struct Wrench @0xb185733c1270d410 $Meta.cxx("lib::Wrench") {
+  base @0 :Point;
+  moment @1 :Point;
+  label @2 :Text $Meta.capacity([3]);
+}
+
+struct Settled @0xa579240797fe7e95 $Meta.cxx("lib::Settled") {
+  x @0 :Float64;
+}
+
+struct Given @0x970f71fec7b97669 $Meta.cxx("lib::Given") {
+  x @0 :Float64;
+  axis @1 :Types.Vec3;
+}
+
+struct OfOthers @0xfe85210dfda022c1 $Meta.cxx("demo::OfOthers") {
+  point @0 :Point;
+  wrench @1 :Wrench;
+  both @2 :List(Point) $Meta.shape("2");
 }
