@@ -4,6 +4,7 @@
 #include <suture/component/device.h>
 
 #include "support/contains.h"
+#include "support/refusal.h"
 #include "unit/deploy/host_scene.h"
 
 namespace suture::test {
@@ -72,14 +73,9 @@ TEST(HostProblems, ComponentThatCannotBeConfigured) {
   const std::array classes{ComponentClass{"Unplugged", createWithoutParameters<Unplugged>}};
   const Deployment deployment = deploymentOf("{\"name\": \"U\", \"class\": \"Unplugged\"}");
   Host host(deployment, "all", classes);
-  try {
-    host.start();
-    FAIL();
-  } catch (const DocumentError& error) {
-    EXPECT_STREQ(error.what(),
-                 "d.json:2: error: component 'U' of class 'Unplugged' cannot be configured: no "
-                 "answer on /dev/ttyUSB7");
-  }
+  EXPECT_EQ(refusal([&] { host.start(); }),
+            "d.json:2: error: component 'U' of class 'Unplugged' cannot be configured: no answer "
+            "on /dev/ttyUSB7");
 }
 
 TEST(HostProblems, RequiredInterfaceWithoutAConnection) {
@@ -184,15 +180,10 @@ TEST(HostProblems, ADeviceIsNotRestarted) {
   const std::array classes{ComponentClass{"Shelf", createWithoutParameters<Shelf>}};
   const Deployment deployment =
       deploymentOf(R"({"name": "S", "class": "Shelf", "restart": {"most": 1, "per": "1s"}})");
-  try {
-    Host host(deployment, "all", classes);
-    FAIL();
-  } catch (const DocumentError& error) {
-    EXPECT_STREQ(error.what(),
-                 "d.json:2: error: component 'S' of class 'Shelf' is to be restarted after faults, "
-                 "but it is a device, which has no thread to be restarted in; remove 'restart', or "
-                 "make its class a task");
-  }
+  EXPECT_EQ(refusal([&] { Host(deployment, "all", classes); }),
+            "d.json:2: error: component 'S' of class 'Shelf' is to be restarted after faults, but "
+            "it is a device, which has no thread to be restarted in; remove 'restart', or make its "
+            "class a task");
 }
 
 TEST(HostProblems, ABlackBoxWithoutAFolder) {

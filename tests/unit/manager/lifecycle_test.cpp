@@ -261,15 +261,23 @@ void watchesAndLeads(Watcher& watcher, Worker& worker) {
   EXPECT_EQ(*watcher.component.component_state.fresh().within(kPatience), State::Faulted);
 }
 
-TEST(LifecycleInterface, TellsAndLeadsWithinAProcess) {
+/// Runs a worker, and a watcher that is to hear of its life.
+struct WatchedWorker {
+  WatchedWorker() {
+    manager.add("Worker", worker);
+    manager.add("Watcher", watcher);
+    manager.start();
+  }
+  void watch() { manager.connect("Watcher/Watched", "Worker/component"); }
   Worker worker;
   Watcher watcher;
-  Manager manager("here");
-  manager.add("Worker", worker);
-  manager.add("Watcher", watcher);
-  manager.start();
-  manager.connect("Watcher/Watched", "Worker/component");
-  watchesAndLeads(watcher, worker);
+  Manager manager{"here"};
+};
+
+TEST(LifecycleInterface, TellsAndLeadsWithinAProcess) {
+  WatchedWorker here;
+  here.watch();
+  watchesAndLeads(here.watcher, here.worker);
 }
 
 TEST(LifecycleInterface, TellsAndLeadsAcrossProcesses) {
@@ -284,48 +292,33 @@ TEST(LifecycleInterface, TellsAndLeadsAcrossProcesses) {
 }
 
 TEST(LifecycleInterface, AnswersAFirstQuestionWhileSuspended) {
-  Worker worker;
-  Watcher watcher;
-  Manager manager("here");
-  manager.add("Worker", worker);
-  manager.add("Watcher", watcher);
-  manager.start();
-  manager.suspend("Worker");
-  manager.connect("Watcher/Watched", "Worker/component");
+  WatchedWorker here;
+  here.manager.suspend("Worker");
+  here.watch();
   pass(10ms);  // it has taken over the connection, and sleeps
   EXPECT_TRUE(eventually([&] {
-    const auto state = watcher.component.component_state();
+    const auto state = here.watcher.component.component_state();
     return state && *state == State::Suspended;
   }));
 }
 
 TEST(LifecycleInterface, TellsTheEnd) {
-  Worker worker;
-  Watcher watcher;
-  Manager manager("here");
-  manager.add("Worker", worker);
-  manager.add("Watcher", watcher);
-  manager.start();
-  manager.connect("Watcher/Watched", "Worker/component");
-  EXPECT_TRUE(watcher.hears({"running"}));
-  worker.stop();
-  EXPECT_TRUE(watcher.hears({"running", "stopped"}));
-  EXPECT_EQ(watcher.component.component_state().error(), Errc::Lost);
+  WatchedWorker here;
+  here.watch();
+  EXPECT_TRUE(here.watcher.hears({"running"}));
+  here.worker.stop();
+  EXPECT_TRUE(here.watcher.hears({"running", "stopped"}));
+  EXPECT_EQ(here.watcher.component.component_state().error(), Errc::Lost);
 }
 
 TEST(LifecycleInterface, AFaultThatIsTooLongEndsInDots) {
-  Worker worker;
-  worker.complaint = std::string(251, 'x') + "\u00b5m are not enough";
-  Watcher watcher;
-  Manager manager("here");
-  manager.add("Worker", worker);
-  manager.add("Watcher", watcher);
-  manager.start();
-  manager.connect("Watcher/Watched", "Worker/component");
-  EXPECT_TRUE(watcher.hears({"running"}));
-  worker.broken = true;
-  EXPECT_TRUE(watcher.hears({"running", "faulted"}));
-  EXPECT_EQ(watcher.changes.back().fault, std::string(251, 'x') + "...")
+  WatchedWorker here;
+  here.worker.complaint = std::string(251, 'x') + "\u00b5m are not enough";
+  here.watch();
+  EXPECT_TRUE(here.watcher.hears({"running"}));
+  here.worker.broken = true;
+  EXPECT_TRUE(here.watcher.hears({"running", "faulted"}));
+  EXPECT_EQ(here.watcher.changes.back().fault, std::string(251, 'x') + "...")
       << "no half of a character";
 }
 

@@ -177,15 +177,20 @@ TEST_P(StopOfADevice, IsNotAskedForInItsHandler) {
   EXPECT_TRUE(client_.slave.reset.start().within(kPatience)) << "a part of it has ended";
 }
 
+/// Starts an arm and its console in one process.
+void startTogether(Manager& manager, Component& arm, StopConsole& client) {
+  manager.add("PSM", arm);
+  manager.add("Teleop", client);
+  manager.start();
+  manager.connect("Teleop/Slave", "PSM/Arm");
+}
+
 /// Both ends are in one process, so the answers are exact.
 TEST(StopLocal, TurnsAwayWhatWaits) {
   OccupiedArm arm;
   StopConsole client;
   Manager manager("robot");
-  manager.add("PSM", arm);
-  manager.add("Teleop", client);
-  manager.start();
-  manager.connect("Teleop/Slave", "PSM/Arm");
+  startTogether(manager, arm, client);
   ASSERT_TRUE(client.slave.limit(0, reference::Mode::Enabled));
   ASSERT_TRUE(eventually([&] { return arm.handler.begun.load(); }));
   auto answered = client.slave.reset.start();
@@ -214,10 +219,7 @@ TEST(StopLocal, IsNotAskedForByATask) {
   Manager manager("robot");
   arm.manager = &manager;
   manager.add("First", first);
-  manager.add("PSM", arm);
-  manager.add("Teleop", client);
-  manager.start();
-  manager.connect("Teleop/Slave", "PSM/Arm");
+  startTogether(manager, arm, client);
   EXPECT_TRUE(client.slave.reset.start().within(kPatience));
   EXPECT_NE(arm.refused.find("stopping 'PSM': it is asked for"), std::string::npos) << arm.refused;
   EXPECT_EQ(first.state(), ComponentState::Running) << "a part of it has ended";
