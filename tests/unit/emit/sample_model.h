@@ -1,36 +1,9 @@
 #pragma once
-// These are hand-made models for the tests of lock and emit: no clang, no headers to parse.
+// This is a model made by hand for the tests of lock and emit.
 
-#include <initializer_list>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "compiler/model/model.h"
+#include "tests/unit/emit/model_parts.h"
 
 namespace suture::compiler::sample {
-
-model::Type scalar(model::Scalar scalar);
-model::Type number();  ///< double
-model::Type text(unsigned capacity);
-model::Type listOf(model::Type element, unsigned capacity);
-model::Type arrayOf(model::Type element, unsigned length);
-model::Type matrix(unsigned rows, unsigned columns, model::Scalar scalar = model::Scalar::Float64);
-model::Type quaternion();
-model::Type isometry();
-model::Type milliseconds();
-model::Type steadyTime();
-model::Type enumeration(const std::string& name);
-model::Type record(const std::string& name);
-
-model::Field field(const std::string& name, model::Type type, const std::string& unit = "");
-model::Struct structure(const std::string& name, std::vector<model::Field> fields);
-model::Enum enumerated(const std::string& name,
-                       std::initializer_list<std::pair<const char*, std::int64_t>> enumerators);
-model::Command command(const std::string& name, model::CommandKind kind);
-model::Command read(const std::string& name, model::Type result);
-model::Command write(const std::string& name, const std::string& parameter, model::Type type);
-model::Event event(const std::string& name, std::vector<model::Type> payload = {});
 
 /// Returns "robots/geometry.h" (foreign, with robots::PoseStamped) and "robots/arm.h" (own: every
 /// supported type, an enum with values that are not ordinals, a contract with every kind of command
