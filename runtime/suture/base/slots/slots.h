@@ -6,7 +6,11 @@
 #include <suture/base/slots/slot_forms.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cstddef>
 #include <deque>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace suture {
@@ -93,10 +97,32 @@ bool store(const std::vector<T>& value, BoundedList<S, N>& slot) {
   }
   return fits;
 }
+
+/// Is false if it may not compile that a vector takes its elements to a larger place: it copies
+/// them if their move may throw, and a struct with a std::deque says that it has a copy whatever it
+/// holds. What owns no memory has one.
+template <class T>
+inline constexpr bool hasLargerPlace =
+    std::is_nothrow_move_constructible_v<T> || !std::is_copy_constructible_v<T> ||
+    std::is_trivially_destructible_v<T>;
+
+template <class T>
+void resizeTo(std::size_t size, std::vector<T>& value) {
+  if constexpr (hasLargerPlace<T>) {
+    value.resize(size);
+  } else if (size <= value.size()) {
+    value.erase(value.begin() + static_cast<std::ptrdiff_t>(size), value.end());
+  } else {
+    std::vector<T> larger(size);
+    std::move(value.begin(), value.end(), larger.begin());
+    value.swap(larger);
+  }
+}
+
 template <class T, class S, std::uint32_t N>
 void load(const BoundedList<S, N>& slot, std::vector<T>& value) {
   if constexpr (liesAlike<T, S>) return value.assign(elements(slot), elements(slot) + sizeOf(slot));
-  value.resize(sizeOf(slot));
+  resizeTo(sizeOf(slot), value);
   for (std::size_t i = 0; i < value.size(); ++i) {
     if constexpr (std::is_same_v<T, bool>) {
       value[i] = slot.data[i] != 0;
@@ -108,7 +134,7 @@ void load(const BoundedList<S, N>& slot, std::vector<T>& value) {
 
 template <class S, std::uint32_t N, class T>
 void reserve(const BoundedList<S, N>*, std::vector<T>& value) {
-  value.reserve(N);
+  if constexpr (hasLargerPlace<T>) value.reserve(N);  // others get a new place when they grow
 }
 
 template <class T, class S, std::uint32_t N>
