@@ -5,7 +5,7 @@ import copy
 import re
 
 import random_names
-from random_types import (CHRONO, NUMBERS, OPEN_EIGEN, Field, Types, declared_values, defined_values, includes)
+from random_types import (CHRONO, NUMBERS, OPEN, OPEN_EIGEN, Field, Types, parts_of, declared_values, defined_values, includes)
 
 # What only structs that cannot be edited may have.
 FOREIGN = ["char", "long long", "unsigned long long", "std::array<char, 5>", "std::optional<long long>"]
@@ -13,6 +13,7 @@ FOREIGN = ["char", "long long", "unsigned long long", "std::array<char, 5>", "st
 PLACES = ["{0}", "{0}", "elsewhere{1}::{0}", "Nest{0}::{0}", "vendor{1}::{0}"]
 # What bulk() takes: columns of fixed length are a list of vectors, not of numbers.
 BULK_EIGEN = {name: bounds for name, bounds in OPEN_EIGEN.items() if not name.startswith("Eigen::Matrix<double, 3")}
+UNITS = ["m", "rad", "m/s", "N.m", "kg.m2/s"]
 LARGE_EIGEN = ["Eigen::Matrix<double, 6, 6>", "Eigen::Matrix<float, 3, 7>"]
 WAITS = ["", "", "queue(8)", "latest()", "ttl(20ms)", "queue(4), ttl(1s)", "direct()"]
 
@@ -44,12 +45,12 @@ class Header(Types):
         self.templates = set()
         self.contract = None
         self.commands = []
-        names = self.random.sample(list(random_names.TYPES), 4)
+        *names, contract = self.random.sample(list(random_names.TYPES), 6)
         self.enums = dict(self.enum(name) for name in [names[0], "Choice"][:self.random.randint(1, 2)])
-        for name in names[1:self.random.randint(2, 3)]:
+        for name in names[1:self.random.randint(2, 5)]:
             self.draw_struct(self.random.choice(PLACES).format(name, seed))
         if self.random.randrange(4) == 0:
-            self.contract = names[3]
+            self.contract = contract
             self.commands = self.draw_commands()
 
     def enum(self, name):
@@ -74,14 +75,56 @@ class Header(Types):
             types = [self.random.choice([self.simple(), *self.structs]), "std::int32_t"]
             self.structs[path] = [Field(*field) for field in zip(members, types)]
             return
-        if self.structs and self.random.randrange(3) == 0:
-            self.bases[path] = self.random.choice(list(self.structs))
+        if self.random.randrange(2):
+            self.bases[path] = self.draw_bases()
         fields = [self.special_field(name) if self.random.randrange(5) == 0 else self.field(name) for name in members]
         if path.startswith("vendor"):
             for field in fields:
                 field.extent = ""  # all() means them as they are
             fields += [Field("letters", "std::vector<char>", (3,), True), Field("kept", self.random.choice(FOREIGN))]
+        elif self.random.randrange(6) == 0:
+            fields.append(self.field_that_leads_back(path))
         self.structs[path] = fields
+
+    def field_that_leads_back(self, path):
+        struct = path.rpartition("::")[2]
+        type_, bounds = self.random.choice([(f"std::unique_ptr<{struct}>", ()), (f"std::vector<{struct}>", (OPEN | 2,)),
+                                            (f"std::map<std::int8_t, {struct}>", (OPEN | 2,))])
+        field = Field("next", type_, bounds, True)
+        field.leads_back = True
+        return field
+
+    def draw_bases(self):
+        """Returns up to three structs, no two of which have a base in common: that would be there twice."""
+        bases, taken = [], set()
+        for base in self.random.sample(list(self.structs), len(self.structs)):
+            if self.random.randrange(2) and not taken & self.ancestry(base):
+                bases.append(base)
+                taken |= self.ancestry(base)
+        return bases[:3]
+
+    def ancestry(self, path):
+        """Returns the struct and all that it derives from."""
+        return {path}.union(*(self.ancestry(base) for base in self.bases.get(path, [])))
+
+    def leaf(self):
+        structs = list(self.structs)
+        if structs and self.random.randrange(3) == 0:
+            struct = self.random.choice(structs)
+            return struct, [], self.owns(struct)
+        return super().leaf()
+
+    def field(self, name):
+        """Returns a member whose numbers may have a range and a unit."""
+        field = super().field(name)
+        template, parts = parts_of(field.type)
+        number = parts[0] if template in ("std::array", "std::vector", "std::deque", "std::optional") and parts else field.type
+        if number in NUMBERS and self.random.randrange(2) and "optional" not in template:
+            signed = not number.startswith("std::uint")
+            field.range = self.random.choice([(0, 100), (-100 if signed else 0, 7), (0, 0)])
+        if number in NUMBERS and self.random.randrange(3) == 0:
+            field.notes = (f'unit("{self.random.choice(UNITS)}")',)
+        return field
 
     def special_field(self, name):
         """Returns a member such as no other draw gives."""
@@ -100,7 +143,7 @@ class Header(Types):
             field.notes = ("bulk()",)
         elif kind == 3:
             field = Field(name, self.random.choice(["float", "double"]))
-            field.notes = (f'unit("{self.random.choice(["m", "rad", "m/s", "N.m"])}")',)
+            field.notes = (f'unit("{self.random.choice(UNITS)}")',)
         elif kind == 4:
             key = self.random.choice(list(self.enums))
             type_ = self.random.choice(["std::set<{0}>", "std::unordered_set<{0}>", "std::map<{0}, bool>",
@@ -149,7 +192,7 @@ class Header(Types):
 
     def owns(self, type_):
         return type_ == "std::string" or type_ in self.structs and any(
-            field.owns_heap for field in self.structs[type_]) or type_ in self.bases and self.owns(self.bases[type_])
+            field.owns_heap for field in self.structs[type_]) or any(self.owns(base) for base in self.bases.get(type_, []))
 
     owns_heap = owns
 
@@ -158,7 +201,7 @@ class Header(Types):
         fields = self.structs[struct]
         return not any("unique_ptr" in field.type for field in fields) and all(
             self.is_copyable(other) for other in self.structs
-            if other != struct and (self.bases.get(struct) == other or any(names(field.type, other) for field in fields)))
+            if other != struct and (other in self.bases.get(struct, []) or any(names(field.type, other) for field in fields)))
 
     # The text.
 
@@ -187,7 +230,7 @@ class Header(Types):
 
     def struct(self, path):
         place, _, name = path.rpartition("::")
-        fields, base = self.structs[path], f" : {self.bases[path]}" if path in self.bases else ""
+        fields, base = self.structs[path], " : " * bool(self.bases.get(path)) + ", ".join(self.bases.get(path, []))
         if path in self.templates:
             first, *others = fields
             return ["template <class T>", f"struct SUTURE_TYPE() {name}Of {{", f"  T {first.name}{{}};",
@@ -217,7 +260,7 @@ class Header(Types):
         lines += [line for path in self.structs for line in declared_values(self.qualified(path))]
         for path, fields in self.structs.items():
             taken = [field for field in fields if "skip()" not in field.notes]
-            bases = [self.qualified(self.bases[path])] if path in self.bases else []
+            bases = [self.qualified(base) for base in self.bases.get(path, [])]
             lines += defined_values(self.qualified(path), taken, bases)
         return "\n".join([*lines, "", "}  // namespace invented", ""])
 
@@ -240,6 +283,8 @@ class Header(Types):
                     lines += [f"    trip.checkBeyond(random, []({value}& value, Random& source) {{",
                               f"      constexpr unsigned all[] = {{{', '.join(map(str, field.bounds))}}};",
                               "      Bounds bounds = all;", f"      fill(value.{field.name}, source, bounds);", "    });"]
+                if field.range and field.type in NUMBERS:
+                    lines += [f"    trip.checkOutside([]({value}& value) {{ value.{field.name} = {field.range[1] + 1}; }});"]
             lines += ["  }"]
         return "\n".join([*lines, "}", ""])
 
@@ -252,8 +297,9 @@ class Header(Types):
             yield self.without(lambda copied: copied.drop_contract())
         for path in filter(self.is_needless, [*self.structs, *self.enums]):
             yield self.without(lambda copied, path=path: copied.drop_type(path))
-        for path in self.bases:
-            yield self.without(lambda copied, path=path: copied.bases.pop(path))
+        for path, bases in self.bases.items():
+            for base in bases:
+                yield self.without(lambda copied, path=path, base=base: copied.bases[path].remove(base))
         for i in range(len(self.commands)):
             yield self.without(lambda copied, i=i: copied.commands.pop(i))
         for path, fields in self.structs.items():
@@ -262,6 +308,8 @@ class Header(Types):
                     yield self.without(lambda copied, path=path, i=i: copied.structs[path].pop(i))
                 for inner in field.inside():
                     yield self.without(lambda copied, path=path, i=i, inner=inner: copied.structs[path].__setitem__(i, inner))
+                if field.range:
+                    yield self.without(lambda copied, path=path, i=i: setattr(copied.structs[path][i], "range", None))
         for path, enum in self.enums.items():
             for word in enum.enumerators:
                 if word.split()[0] not in ("First", "Second", "Third"):
@@ -284,7 +332,7 @@ class Header(Types):
         """Drops it and what names it."""
         self.structs.pop(gone, None)
         self.enums.pop(gone, None)
-        self.bases = {path: base for path, base in self.bases.items() if gone not in (path, base)}
+        self.bases = {path: [base for base in bases if base != gone] for path, bases in self.bases.items() if path != gone}
         self.commands = [command for command in self.commands if not any(names(type_, gone) for type_ in command.types)]
         for path in [path for path in self.templates & self.structs.keys() if names(self.structs[path][0].type, gone)]:
             self.drop_type(path)

@@ -41,7 +41,10 @@ def defined_values(name, fields, bases=()):
     for field in fields:
         lines.append(f"  constexpr unsigned limits_{field.name}[] = {{{', '.join(map(str, [*field.bounds, 0]))}}};")
         lines.append(f"  Bounds bounds_{field.name} = limits_{field.name};")
-        lines.append(f"  fill(value.{field.name}, random, bounds_{field.name});")
+        deeper = f"if (const Descent deeper(random); deeper.goesOn()) " if field.leads_back else ""
+        lines.append(f"  {deeper}fill(value.{field.name}, random, bounds_{field.name});")
+        if field.range:
+            lines.append(f"  if (random.finite) keepWithin(value.{field.name}, {field.range[0]}, {field.range[1]});")
     return [*lines, "}", f"inline bool same([[maybe_unused]] const {name}& a, [[maybe_unused]] const {name}& b) {{", "  return true",
             *(f"      && same(static_cast<const {base}&>(a), static_cast<const {base}&>(b))" for base in bases),
             *(f"      && equal(a.{field.name}, b.{field.name}, Tag())" for field in fields), "  ;", "}"]
@@ -87,6 +90,8 @@ class Field:
         self.name, self.type, self.bounds, self.owns_heap = name, type_, bounds, owns_heap
         self.extent = ""  # of a plain array
         self.notes = ()  # what the annotation says beside the bounds
+        self.range = None
+        self.leads_back = False  # to the struct that has it
 
     def declaration(self):
         return f"  {self.annotated()}{self.plain_declaration()}"
@@ -115,7 +120,8 @@ class Field:
 
     def annotation(self):
         stated = [0 if bound & OPEN else bound for bound in self.bounds]
-        return ", ".join([f"capacity({', '.join(map(str, stated))})"] * any(stated) + list(self.notes))
+        ranges = [f"range({self.range[0]}, {self.range[1]})"] if self.range else []
+        return ", ".join([f"capacity({', '.join(map(str, stated))})"] * any(stated) + ranges + list(self.notes))
 
 
 class Types:
@@ -147,13 +153,17 @@ class Types:
             return self.random.choice(CHRONO)
         return self.random.choice(NUMBERS)
 
+    def leaf(self):
+        """Returns what nested() does, of a type that holds no other."""
+        return self.simple(), [], False
+
     def nested(self, depth):
         """Returns a type, its bounds from outside to inside, and True if it owns heap."""
         kind = self.random.randrange(9 if depth > 0 else 2)
         if kind == 0:
             return "std::string", [self.random.randint(1, 9)], True
         if kind == 1:
-            return self.simple(), [], False
+            return self.leaf()
         if kind == 2:
             name = self.random.choice(list(OPEN_EIGEN))
             return name, [self.random.randint(1, 4) for _ in range(OPEN_EIGEN[name])], True

@@ -22,9 +22,12 @@ SUTURE = parser.parse_args().suture.resolve()
 
 
 def large_header():
-    """Returns the first header with a contract and at least two structs, the last of which, which gets the fault, can be alone."""
-    return next(header for header in map(Header, range(1, 1000))
-                if len(header.structs) > 1 and header.contract and not is_away(list(header.structs)[-1]))
+    """Returns the first header with a contract and at least two structs. The last, which gets the fault, can be alone and have no other member."""
+    for header in map(Header, range(1, 1000)):
+        last = list(header.structs)[-1]
+        if len(header.structs) > 1 and header.contract and not is_away(last) and last not in header.templates:
+            return header
+    raise AssertionError("no header is like that")
 
 
 class Reduced(unittest.TestCase):

@@ -71,6 +71,16 @@ class RoundTrip {
     beyond_ += exceeds;
   }
 
+  /// `put(value)` takes one number out of its range.
+  template <class Put>
+  void checkOutside(const Put& put) {
+    Value value{};
+    put(value);
+    const auto slot = std::make_unique<Slot>();
+    expect(store(value, *slot), "a number outside its range does not fit");
+    expect(!isValid(*slot), "a number outside its range is valid");
+  }
+
   int beyond() const { return beyond_; }
 
  private:

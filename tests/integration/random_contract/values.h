@@ -60,10 +60,24 @@ struct Random : std::mt19937_64 {
     length = before;
   }
 
+  int depth = 0;  // of structs that hold themselves
   Length length = Length::Any;
   bool finite = true;  // NaN and infinity are real numbers that no provider takes
 };
 struct Tag {};
+
+/// Bounds how deep a struct that holds itself is filled.
+class Descent {
+ public:
+  explicit Descent(Random& random) : random_(random) { ++random_.depth; }
+  ~Descent() { --random_.depth; }
+  Descent(const Descent&) = delete;
+  Descent& operator=(const Descent&) = delete;
+  bool goesOn() const { return random_.depth < 4; }
+
+ private:
+  Random& random_;
+};
 
 /// Has the capacities of a member, from outside to inside; each level takes its own.
 using Bounds = const unsigned*;
@@ -93,6 +107,17 @@ void fill(T& value, Random& random, Bounds&) {
 template <class T>
 requires std::is_arithmetic_v<T>
 bool equal(const T& a, const T& b, Tag) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// Takes real numbers, and those in a list, into their range; NaN stays.
+template <class T>
+void keepWithin(T& value, double least, double most) {
+  if constexpr (std::is_arithmetic_v<T>) {
+    if (static_cast<double>(value) < least) value = static_cast<T>(least);
+    if (static_cast<double>(value) > most) value = static_cast<T>(most);
+  } else {
+    for (auto& element : value) keepWithin(element, least, most);
+  }
+}
 
 template <class E>
 requires std::is_enum_v<E>
@@ -222,11 +247,11 @@ concept Sequence = std::is_same_v<T, std::vector<typename T::value_type>> ||
 template <Sequence T>
 void fill(T& value, Random& random, Bounds& bounds) {
   using Element = typename T::value_type;
-  value.clear();
   const std::size_t count = random.count(*bounds++);
-  fillElements<Element>(count, random, bounds, [&](std::size_t, Element&& element) {
-    value.push_back(std::move(element));
-  });
+  T filled(count);  // a vector of what has no copy may not compile if it grows
+  fillElements<Element>(count, random, bounds,
+                        [&](std::size_t i, Element&& element) { filled[i] = std::move(element); });
+  value = std::move(filled);
 }
 template <Sequence T>
 bool equal(const T& a, const T& b, Tag tag) {
