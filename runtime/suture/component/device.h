@@ -3,6 +3,7 @@
 
 #include <suture/base/errors.h>
 #include <suture/component/component.h>
+#include <suture/rt/period.h>
 
 #include <mutex>
 
@@ -15,9 +16,11 @@ namespace suture {
 /// about events.
 class Device : public Component {
  public:
-  /// `remoteReadPeriod` says how often the reads that remote clients ask for are evaluated.
+  /// `remoteReadPeriod` says how often the reads that remote clients ask for are evaluated. Throws
+  /// SetupError if it is not positive.
   explicit Device(Duration remoteReadPeriod = std::chrono::milliseconds(10))
-      : Component(false), remoteReadPeriod_(remoteReadPeriod) {}
+      : Component(false),
+        remoteReadPeriod_(rt::positivePeriod("the reads of a device", remoteReadPeriod)) {}
 
   /// Called by the manager: configures it if that has not been done, and lets it run. Throws
   /// SetupError if it runs already.

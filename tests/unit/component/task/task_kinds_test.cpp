@@ -2,6 +2,7 @@
 // in a borrowed thread.
 
 #include <gtest/gtest.h>
+#include <suture/component/device.h>
 #include <suture/component/task/callback_task.h>
 #include <suture/component/task/continuous_task.h>
 #include <suture/component/task/event_task.h>
@@ -264,6 +265,17 @@ TEST(EventTask, RefusesASleepThatIsNone) {
     EXPECT_EQ(refusal([&] { Worker<EventTask>({}, EventOptions{.longestSleep = sleep}); }),
               "the longest sleep of a task: a period of " + std::to_string(sleep.count()) +
                   " ns. Give a period greater than zero");
+  }
+}
+
+TEST(Device, RefusesAPeriodOfReadsThatIsNone) {
+  struct Sensor final : Device {
+    using Device::Device;
+  };
+  for (const Duration period : {Duration{0}, Duration{-1}}) {
+    EXPECT_EQ(refusal([&] { Sensor sensor(period); }), "the reads of a device: a period of " +
+                                                           std::to_string(period.count()) +
+                                                           " ns. Give a period greater than zero");
   }
 }
 
