@@ -72,6 +72,7 @@ void ManagerLease::stay(kj::Promise<void> enrolled) {
 }
 
 kj::Promise<void> ManagerLease::enrolNow() {
+  untold_ = false;
   auto request = KJ_REQUIRE_NONNULL(session_).registerRequest();
   toWire(process_, request.initProcess());
   auto registered = request.send().then([this](auto&& results) -> kj::Promise<void> {
@@ -79,6 +80,7 @@ kj::Promise<void> ManagerLease::enrolNow() {
     process_.generation = results.getGeneration();
     lease_ = results.getLease();
     enrolled_ = true;
+    if (untold_) update(std::vector(process_.components));
     return kj::READY_NOW;
   });
   return rpc::within(control_.timer(), kAnswerLimit, kj::mv(registered),
@@ -126,6 +128,7 @@ void ManagerLease::drop() {
 
 void ManagerLease::update(std::vector<ComponentRecord> components) {
   process_.components = std::move(components);
+  untold_ = lease_ == nullptr;  // a registration under way has told of the earlier ones
   KJ_IF_MAYBE (lease, lease_) {
     auto request = lease->updateRequest();
     toWire(process_.components,

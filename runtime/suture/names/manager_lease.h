@@ -65,6 +65,7 @@ class ManagerLease {
   kj::Maybe<wire::Session::Client> session_;
   kj::Maybe<wire::Lease::Client> lease_;
   ProcessRecord process_;
+  bool untold_ = false;  // its components have changed since it was registered
   std::atomic<bool> enrolled_{false};
   kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
 };

@@ -41,11 +41,15 @@ class Peer {
     control_.run(kPatience, [this, patience] { return link_->open(patience); });
   }
   void enrol() {
-    ProcessRecord self;
-    self.name = name_;
-    self.addresses = {"unix:/tmp/" + name_};
-    self.pid = 1;
-    control_.run(kPatience, [this, self] { return link_->enrol(self); });
+    control_.run(kPatience, [this] { return link_->enrol(self()); });
+  }
+  /// Registers, and tells of other components before the manager has answered.
+  void enrolAndUpdate(const std::vector<ComponentRecord>& components) {
+    control_.run(kPatience, [this, components] {
+      auto enrolled = link_->enrol(self());
+      link_->update(components);
+      return enrolled;
+    });
   }
   void update(const std::vector<ComponentRecord>& components) {
     control_.run(kPatience, [this, components] { link_->update(components); });
@@ -75,6 +79,14 @@ class Peer {
   }
 
  private:
+  ProcessRecord self() const {
+    ProcessRecord self;
+    self.name = name_;
+    self.addresses = {"unix:/tmp/" + name_};
+    self.pid = 1;
+    return self;
+  }
+
   rpc::ControlThread control_;
   std::unique_ptr<ManagerLink> link_;
   const std::string name_;
@@ -124,6 +136,15 @@ TEST_P(GlobalManagerTest, TellsWhereAProcessIsAndWhatItOffers) {
   EXPECT_EQ(found.components[0].provided[0].hash, "abc");
   EXPECT_EQ(found.components[0].required[0].name, "Camera");
   EXPECT_EQ(left->list().size(), 2u);
+}
+
+// A process publishes while a manager that has just come registers it.
+TEST_P(GlobalManagerTest, IsToldOfComponentsThatChangeMeanwhile) {
+  auto left = enrolled("left");
+  Peer right("right", address_);
+  right.open();
+  right.enrolAndUpdate({{"PSM", {}, {}}});
+  EXPECT_TRUE(eventually([&] { return !left->resolve("right").components.empty(); }));
 }
 
 TEST_P(GlobalManagerTest, AProcessThatEndsIsForgotten) {
