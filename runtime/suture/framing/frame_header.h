@@ -23,6 +23,7 @@ struct StreamLimits {
   std::size_t messageBytes = 16u << 20;      ///< header and body of one message
   std::size_t strangerBytes = 16u << 10;     ///< the same, for a peer that is not known yet
   std::size_t unsentBytes = 64u << 20;       ///< written, and not yet taken by the peer
+  std::int64_t drainMilliseconds = 10'000;   ///< at the end: until the peer has taken all
   std::int64_t partialMilliseconds = 5'000;  ///< from the first byte of a message to its last
   std::int64_t firstMilliseconds =
       5'000;  ///< from the connection to its first whole message; 0: no bound

@@ -22,6 +22,7 @@ constexpr std::size_t kStrangersReadAtOnce = 4u << 10;
 
 constexpr const char* kTooLongOfStranger =
     "the peer announces a message too long for one that has not said who it is";
+constexpr const char* kTakesNothing = "the peer does not take what is sent";
 constexpr const char* kOtherSpeaksTls =
     "it speaks TLS, and this end does not. Correct the address: tls:// at both ends, or at "
     "neither.";
@@ -193,7 +194,7 @@ void MessageStream::write(Segments message, Leaves when, kj::ArrayPtr<const int>
   }
   const std::size_t unsent = outgoing_.size() - outgoingBegin_;
   if (unsent > limits_.unsentBytes) {
-    fail(disconnected("the peer does not take what is sent"));
+    fail(disconnected(kTakesNothing));
   } else if (unsent >= kSendAtOnce) {
     flush();
   } else if (when == Leaves::WithNextMessage) {
@@ -295,7 +296,13 @@ kj::Promise<void> MessageStream::end() {
   auto pair = kj::newPromiseAndFulfiller<void>();
   ending_ = kj::mv(pair.fulfiller);
   port_.flushBeforeSleep(*this);
-  return pair.promise.then([this] { bytes_.end(); });
+  auto late = port_.getTimer()
+                  .afterDelay(limits_.drainMilliseconds * kj::MILLISECONDS)
+                  .then([this]() -> kj::Promise<void> {
+                    fail(disconnected(kTakesNothing));
+                    return kj::cp(KJ_ASSERT_NONNULL(writeFailure_));
+                  });
+  return pair.promise.then([this] { bytes_.end(); }).exclusiveJoin(kj::mv(late));
 }
 
 }  // namespace suture::rpc

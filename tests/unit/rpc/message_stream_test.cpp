@@ -364,6 +364,20 @@ TEST_F(MessageStreamTest, AStuckPeersCostIsBounded) {
   }
 }
 
+// A peer that says it is done keeps its link open until all is sent, so it could keep it for ever.
+TEST_F(MessageStreamTest, AStuckPeerDoesNotHoldUpTheEnd) {
+  open({.drainMilliseconds = 20});
+  capnp::MallocMessageBuilder message;
+  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(2 << 20);
+  stream_->write(message.getSegmentsForOutput());
+  try {
+    bounded(stream_->end()).wait(port_.scope());
+    FAIL() << "no failure";
+  } catch (const kj::Exception& e) {
+    EXPECT_EQ(describe(e), "the peer does not take what is sent");
+  }
+}
+
 // The stream needs a descriptor to learn when a full socket takes bytes again.
 TEST_F(MessageStreamTest, AFullSocketWithoutADescriptorEndsNothingElse) {
 #if defined(SUTURE_ADDRESS_SANITIZER)
