@@ -49,6 +49,7 @@ kj::Promise<void> ServantPort::command(std::uint16_t command, AnyCall call) {
   if (info.resultSize > 0 || codec.sent.of(parameters).getAnswer()) return await(command, call);
   const Refusal refusal = post(command, parameters, 0);
   if (refusal.error != Errc{}) return turnedAway(refusal);
+  call.releaseParams();  // many may wait, and a message may be large
   return whenTaken(command);
 }
 
@@ -57,6 +58,7 @@ kj::Promise<void> ServantPort::await(std::uint16_t command, AnyCall call) {
   if (pending == nullptr) return turnedAway({Errc::TooManyCalls});
   const Refusal refusal = post(command, call.getParams(), pending->number);
   if (refusal.error != Errc{}) return turnedAway(refusal);
+  call.releaseParams();
   carrier_.lend(command);
   taken_[command].emplace_back();  // null, because it does not wait for its credit
   auto pair = kj::newPromiseAndFulfiller<void>();
