@@ -1,4 +1,4 @@
-// What runs in the caller's thread is counted as what runs in the provider's.
+// Commands that run in the caller's thread are counted like those that run in the provider's.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>

@@ -314,7 +314,7 @@ TEST_F(BrokenClient, NeverLetsGoOfWhatItOpens) {
             "more. Let go of some.");
 }
 
-// What a client has, and what it awaits, ends with the process.
+// The process ends what its client has, and what that awaits.
 TEST_F(BrokenClient, AwaitsAProcessThatLeavesBeforeItHasStarted) {
   auto starting = std::make_unique<Manager>("starting", manager());
   starting->add("PSM", psmAgain);

@@ -103,7 +103,7 @@ void Task::parkIfAsked() {
   failing_.clear(std::memory_order_release);  // once restarted, it may fail again
 }
 
-// What was requested before a fault comes after the restart.
+// A request from before a fault is carried out after the restart.
 bool Task::requestDue() const {
   return requested_.load(std::memory_order_relaxed).has_value() && !awaitsRestart_;
 }
