@@ -5,6 +5,7 @@
 #include <suture/base/nearest.h>
 #include <suture/component/factory/component_library.h>
 #include <suture/deploy/number_option.h>
+#include <suture/loop/standard_streams.h>
 #include <suture/names/global_manager.h>
 #include <suture/net/tls/keys.h>
 #include <unistd.h>
@@ -181,7 +182,7 @@ int run(const Verb& verb, Options& options) {
 /// printed would go to whom that leads to.
 bool outputIsClosed() {
   if (fcntl(STDOUT_FILENO, F_GETFD) >= 0) return false;
-  tell(outputLost().what());
+  tell(suture::outputLost().what());
   return true;
 }
 
@@ -196,6 +197,7 @@ int help(const CLI::App& app, const CLI::ParseError& asked) {
 
 int main(int argc, char** argv) {
   if (outputIsClosed()) return kFailed;
+  suture::openStandardDescriptors();
   const std::string word = argc > 1 ? argv[1] : "";
   const bool json = std::any_of(argv, argv + argc,
                                 [](const char* one) { return std::string_view(one) == "--json"; });

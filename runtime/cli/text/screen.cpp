@@ -1,11 +1,11 @@
 #include "cli/text/screen.h"
+#include <suture/loop/standard_streams.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 namespace suture::cli {
 namespace {
@@ -149,10 +149,6 @@ std::string knownTo(Duration error) {
   if (error == Duration{0}) return "";
   const auto shown = std::chrono::ceil<std::chrono::microseconds>(error);
   return ", known to " + std::to_string(shown.count()) + " us";
-}
-
-SetupError outputLost() {
-  return {"write to standard output", std::strerror(errno), "Make room, or write elsewhere"};
 }
 
 void print(const std::string& text) {

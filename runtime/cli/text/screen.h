@@ -34,9 +34,6 @@ class ReaderGone : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Returns that standard output does not take what is written, for the reason in errno.
-SetupError outputLost();
-
 /// These write to standard output at once: a text for people; JSON for programs, laid out or on one
 /// line. Each throws ReaderGone, or SetupError if the text is lost otherwise.
 void print(const std::string& text);

@@ -7,6 +7,7 @@
 #include <suture/deploy/report_writer.h>
 #include <suture/deploy/workstation.h>
 #include <suture/loop/signal_wait.h>
+#include <suture/loop/standard_streams.h>
 #include <suture/observe/observe.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -312,6 +313,7 @@ int workstationMain(int argc, const char* const* argv, std::span<const Component
   CLI::App app("Runs one process of a deployment.");
   declare(app, options);
   if (const std::optional<int> status = read(app, options, argc, argv)) return *status;
+  openStandardDescriptors();  // --report-fd has been refused one that was closed
   try {
     return options.check ? check(options, classes) : runWorkstation(options, classes);
   } catch (const std::exception& error) {

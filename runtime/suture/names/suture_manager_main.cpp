@@ -4,6 +4,7 @@
 #include <suture/base/plain.h>
 #include <suture/loop/control_thread.h>
 #include <suture/loop/signal_wait.h>
+#include <suture/loop/standard_streams.h>
 #include <suture/names/global_manager.h>
 #include <suture/net/tls/keys.h>
 
@@ -54,6 +55,7 @@ void serve(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  suture::openStandardDescriptors();
   CLI::App app{
       "Knows the names of the processes of a Suture system, so that they find each other."};
   Options options;

@@ -76,6 +76,18 @@ class Fail(System):
                 watching.send_signal(signal.SIGTERM)
                 self.assertEqual(watching.wait(PATIENCE), -signal.SIGTERM)
 
+    def test_a_standard_descriptor_that_is_closed_becomes_no_socket(self):
+        with socket.socket(socket.AF_UNIX) as silent:
+            silent.bind(self.address.removeprefix("unix:"))
+            silent.listen()
+            asking = subprocess.Popen([SUTURE, "ps", "--manager", self.address, "--timeout", "1000s"], stdout=subprocess.DEVNULL,
+                                      preexec_fn=lambda: (os.close(0), os.close(2)))
+            self.addCleanup(asking.wait)
+            self.addCleanup(asking.kill)
+            with silent.accept()[0]:
+                for descriptor in (0, 2):
+                    self.assertEqual(os.readlink(f"/proc/{asking.pid}/fd/{descriptor}"), "/dev/null")
+
     def test_too_few_descriptors_are_no_peers_fault(self):
         self.start_manager()
         self.start_robot()

@@ -1,32 +1,35 @@
-"""Runs a process of more components than the usual limit of descriptors lets it have."""
+"""Runs processes of more components than the usual limit of descriptors lets them have, or without standard descriptors."""
 
-import json
-import pathlib
+import os
 import resource
-import subprocess
-import sys
-import tempfile
 import unittest
 
-PROGRAM, LIBRARY = sys.argv.pop(1), sys.argv.pop(1)
+from stations import MANAGER, Stations, component
 
 
-class Descriptors(unittest.TestCase):
+class Descriptors(Stations):
     def test_the_hard_limit_is_used(self):
-        spindle = {"class": "Spindle", "library": LIBRARY, "parameters": {"cycles": 1_000_000}}
-        components = [{"name": f"Spindle{i}", **spindle} for i in range(100)]
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "d.json"
-            file.write_text(json.dumps({"processes": [{"name": "all", "components": components}]}))
-            hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
-            ended = subprocess.run(
-                (PROGRAM, "--deployment", file, "--seconds", "0.2"),
-                capture_output=True,
-                text=True,
-                timeout=60,
-                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (64, hard)),
-            )
-        self.assertEqual(ended.returncode, 0, ended.stderr)
+        components = [component(f"Spindle{i}", "Spindle", cycles=1_000_000) for i in range(100)]
+        hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+        station = self.workstation({"processes": [{"name": "all", "components": components}]}, "--seconds", "0.2",
+                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (64, hard)))
+        problems = station.communicate(timeout=60)[1]
+        self.assertEqual(station.returncode, 0, problems)
+
+    def test_a_standard_descriptor_that_is_closed_becomes_no_socket(self):
+        """What the process says of a refusal would go into a peer's stream."""
+        def close():
+            os.close(0)
+            os.close(2)
+
+        address = f"unix:{self.folder}/manager.sock"
+        manager = self.start(MANAGER, "--listen", address, preexec_fn=close)
+        self.assertIn("ready on", manager.stdout.readline())
+        station = self.workstation({"manager": address, "processes": [{"name": "drives", "components": []}]}, preexec_fn=close)
+        self.await_true(lambda: any(self.folder.glob("drives.*.sock")))
+        for process in (manager, station):
+            for descriptor in (0, 2):
+                self.assertEqual(os.readlink(f"/proc/{process.pid}/fd/{descriptor}"), "/dev/null")
 
 
 if __name__ == "__main__":

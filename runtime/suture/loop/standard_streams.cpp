@@ -1,0 +1,22 @@
+#include <fcntl.h>
+#include <suture/loop/standard_streams.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <tuple>
+
+namespace suture {
+
+void openStandardDescriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(descriptor, F_GETFD) >= 0) continue;
+    std::ignore = open("/dev/null", O_RDONLY);  // takes the lowest number that is free
+  }
+}
+
+SetupError outputLost() {
+  return {"write to standard output", std::strerror(errno), "Make room, or write elsewhere"};
+}
+
+}  // namespace suture

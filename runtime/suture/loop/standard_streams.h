@@ -1,0 +1,18 @@
+#pragma once
+// This keeps the standard streams of a program apart from what it opens later.
+
+#include <suture/base/errors.h>
+
+#include <string>
+
+namespace suture {
+
+/// Call it in main() before anything is opened. The first socket would have the number of a
+/// standard descriptor that is closed, and what the program says would go to its peer. Such a
+/// descriptor is opened here so that it takes and gives nothing: writing to it fails as before.
+void openStandardDescriptors();
+
+/// Returns that standard output does not take what is written, for the reason in errno.
+SetupError outputLost();
+
+}  // namespace suture
