@@ -1,5 +1,7 @@
 #include <suture/base/errors.h>
 #include <suture/base/nearest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include "cli/peer/wait.h"
 #include "cli/text/answer_text.h"
 #include "cli/text/screen.h"
@@ -45,12 +47,29 @@ class Lines {
   unsigned shown_ = 0;
 };
 
-/// Resolves when it is told to stop or the time is over. Rejects when the provider is gone.
+bool isPipeOrSocket(int descriptor) {
+  struct stat status {};
+  return fstat(descriptor, &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode));
+}
+
+/// Resolves when nobody reads standard output any more, which a write would tell only with the next
+/// line.
+kj::Promise<void> whenReaderGone(rpc::EventPort& loop) {
+  if (!isPipeOrSocket(STDOUT_FILENO)) return kj::NEVER_DONE;
+  using Observer = rpc::EventPort::FdObserver;
+  auto observer = kj::heap<Observer>(loop, STDOUT_FILENO, Observer::OBSERVE_WRITE);
+  auto gone = observer->whenWriteDisconnected();
+  return gone.attach(kj::mv(observer));
+}
+
+/// Resolves when it is told to stop, nobody reads or the time is over. Rejects when the provider is
+/// gone.
 kj::Promise<void> ending(rpc::EventPort& loop, Provider& provider, const Options& options) {
   const Duration period = options.period == Duration{0} ? kForever : options.period;
   return loop.onSignal(SIGINT)
       .ignoreResult()
       .exclusiveJoin(loop.onSignal(SIGTERM).ignoreResult())
+      .exclusiveJoin(whenReaderGone(loop))
       .exclusiveJoin(loop.getTimer().afterDelay(rpc::toKj(period)))
       .exclusiveJoin(provider.whenGone());
 }

@@ -182,6 +182,13 @@ class Use(System):
             self.said("call", GRIPPER, "set_speed", "speed=0.75")
             self.assertEqual((watching.wait(PATIENCE), watching.stderr.read()), (0, ""))
 
+    def test_watch_ends_when_its_reader_goes_and_nothing_happens(self):
+        self.said("call", GRIPPER, "set_speed", "speed=0.5")
+        watching = self.watch(GRIPPER, "moved")
+        watching.stdout.readline()
+        watching.stdout.close()
+        self.assertEqual((watching.wait(PATIENCE), watching.stderr.read()), (0, ""))
+
     def test_output_that_is_lost_is_an_error(self):
         self.said("call", GRIPPER, "set_speed", "speed=0.5")
         for words in (("ps",), ("ps", "--json"), ("read", GRIPPER, "opening"), ("watch", GRIPPER, "opening"),
