@@ -98,7 +98,9 @@ void watchReads(rpc::EventPort& loop, Provider& provider, const Options& options
 void watchEvents(rpc::EventPort& loop, Provider& provider, const Options& options,
                  std::uint64_t events) {
   auto enough = kj::newPromiseAndFulfiller<void>();
-  auto ended = ending(loop, provider, options).exclusiveJoin(kj::mv(enough.promise));
+  auto ended = ending(loop, provider, options)
+                   .exclusiveJoin(provider.whenSilent())
+                   .exclusiveJoin(kj::mv(enough.promise));
   Lines lines(options);
   std::exception_ptr lost;  // is no failure of the provider, so that must not hear of it
   auto subscribed =

@@ -86,6 +86,16 @@ Cycle Peer::cycleOf(const std::string& component) {
   return wait(loop_, patience_, kj::mv(answer), noAnswer());
 }
 
+// A refusal is an answer too, and onDisconnect() tells that the link has ended.
+kj::Promise<void> Peer::whenSilent() {
+  return loop_.getTimer().afterDelay(rpc::toKj(patience_)).then([this] {
+    auto answer = peer_.pingRequest().send().ignoreResult().catch_([](kj::Exception&&) {});
+    return rpc::within(loop_.getTimer(), patience_, kj::mv(answer), noAnswer()).then([this] {
+      return whenSilent();
+    });
+  });
+}
+
 std::shared_ptr<const Contract> Peer::explain(const Target& target, wire::Peer::Side side) {
   auto request = peer_.explainRequest();
   request.setComponent(textOf(target.component));

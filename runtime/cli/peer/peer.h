@@ -72,6 +72,8 @@ class Peer {
   const ClockOffset& clock() const { return clock_; }
   /// Returns a stamp of its clock, on ours; as exact as that.
   Time here(std::int64_t stamp) const;
+  /// Rejects when it has not answered within the patience; asks as often.
+  kj::Promise<void> whenSilent();
   /// Resolves when it is gone.
   kj::Promise<void> onDisconnect() { return link_->onDisconnect(); }
 

@@ -45,6 +45,8 @@ class Provider {
   Duration clockError() const { return peer_.clock().error(now()); }
   /// Rejects when the provider's process is gone.
   kj::Promise<void> whenGone();
+  /// Rejects when it is there and does not answer, as if it hangs.
+  kj::Promise<void> whenSilent() { return peer_.whenSilent(); }
 
  private:
   std::optional<Duration> ageIn(capnp::DynamicStruct::Reader results) const;

@@ -173,6 +173,18 @@ class Use(System):
         self.assertIn("process 'robot' is gone. Start it again.", json.loads(output)["error"])
         self.robot.returncode = 0  # the test has killed it, so that this is no failure
 
+    def test_watch_ends_when_its_provider_hangs(self):
+        self.said("call", GRIPPER, "set_speed", "speed=0.5")
+        watching = self.watch(GRIPPER, "moved", "--timeout", "2s")
+        watching.stdout.readline()
+        self.stop(self.robot)
+        try:
+            output, errors = watching.communicate(timeout=PATIENCE)
+        finally:
+            self.robot.send_signal(signal.SIGCONT)
+        self.assertEqual((watching.returncode, errors), (1, ""))
+        self.assertIn("talk to process 'robot': it is there, but does not answer.", json.loads(output)["error"])
+
     def test_watch_ends_when_no_one_reads_any_more(self):
         for name in ("opening", "moved"):
             self.said("call", GRIPPER, "set_speed", "speed=0.5")
