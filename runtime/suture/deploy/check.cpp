@@ -7,6 +7,8 @@
 #include <suture/lane/delay/delay_thread.h>
 #include <suture/lane/lane_limits.h>
 #include <suture/manager/lifecycle_interface.h>
+#include <suture/names/peer_address.h>
+#include <suture/net/address.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/frames.h>
 
@@ -39,6 +41,15 @@ std::string counted(std::size_t number, const char* one, const char* several) {
   return std::to_string(number) + " " + (number == 1 ? one : several);
 }
 
+/// Returns none if they are no addresses, of which the deployment has told.
+std::vector<rpc::Address> managersOf(const Deployment& deployment) {
+  try {
+    return rpc::parseAddresses(deployment.manager());
+  } catch (const SetupError&) {
+    return {};
+  }
+}
+
 class Check {
  public:
   Check(const Deployment& deployment, Checked& found) : deployment_(deployment), found_(found) {}
@@ -46,6 +57,7 @@ class Check {
   void judge(const ProcessEntry& process, std::span<const ComponentClass> classes) {
     stations_.emplace_back(deployment_, process, classes, found_.problems);
     components_ += process.components.size();
+    judgeAddress(process);
     try {
       securityOf(deployment_, process, found_.warnings);
     } catch (const DocumentError& error) {
@@ -70,6 +82,18 @@ class Check {
   }
 
  private:
+  /// Judges where the process would listen.
+  void judgeAddress(const ProcessEntry& process) {
+    for (const rpc::Address& manager : managersOf(deployment_)) {
+      if (manager.kind != rpc::Address::Kind::Unix) continue;
+      try {
+        (void)rpc::SocketAddress(longestPeerAddress(manager, process.name));
+      } catch (const SetupError& error) {
+        add({deployment_.document().locate(process.pointer + "/name", error.what())});
+      }
+    }
+  }
+
   const Station* stationOf(const Endpoint& end) const {
     const auto found = std::find_if(stations_.begin(), stations_.end(), [&](const Station& one) {
       return one.entry.name == end.process;

@@ -16,10 +16,21 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kEnd = ".sock";
 
+constexpr pid_t kLargestNumber = 4'194'304;  // of a process: PID_MAX_LIMIT of the kernel
+
 rpc::Address socketAt(const fs::path& path) {
   rpc::Address address;
   address.path = path.string();
   return address;
+}
+
+// Peers may run in another folder, for which a relative path leads elsewhere.
+fs::path directoryOf(const rpc::Address& manager) {
+  return fs::absolute(manager.path).parent_path();
+}
+
+rpc::Address socketOf(const fs::path& directory, const std::string& process, pid_t number) {
+  return socketAt(directory / (process + "." + std::to_string(number) + std::string(kEnd)));
 }
 
 /// Returns the process that a socket named `name` belongs to; 0 if that is none of ours.
@@ -52,13 +63,16 @@ void removeLeftovers(const fs::path& directory, const std::string& process) {
 
 }  // namespace
 
+rpc::Address longestPeerAddress(const rpc::Address& manager, const std::string& process) {
+  return socketOf(directoryOf(manager), process, kLargestNumber);
+}
+
 rpc::Address peerAddress(const ManagerLink& link, const std::string& process) {
   const rpc::Address& manager = link.address();
   if (manager.kind != rpc::Address::Kind::Unix) return link.here();
-  // Peers may run in another folder, for which a relative path leads elsewhere.
-  const fs::path directory = fs::absolute(manager.path).parent_path();
+  const fs::path directory = directoryOf(manager);
   removeLeftovers(directory, process);
-  return socketAt(directory / (process + "." + std::to_string(getpid()) + std::string(kEnd)));
+  return socketOf(directory, process, getpid());
 }
 
 }  // namespace suture

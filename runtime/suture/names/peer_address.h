@@ -8,6 +8,10 @@
 
 namespace suture {
 
+/// Returns the longest address that peerAddress() may return for a manager at this Unix socket: the
+/// number of the process is part of it.
+rpc::Address longestPeerAddress(const rpc::Address& manager, const std::string& process);
+
 /// Returns an address next to the manager's: a socket in the same directory, or a free port at the
 /// address by which this machine reaches it. Removes what dead processes of this name have left in
 /// that directory, since a process that was killed cannot. Who listens there is told if the path is

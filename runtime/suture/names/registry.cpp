@@ -1,6 +1,9 @@
 #include <suture/base/nearest.h>
 #include <suture/names/registry.h>
 
+#include <algorithm>
+#include <cctype>
+
 namespace suture {
 namespace {
 
@@ -13,7 +16,9 @@ constexpr std::size_t kMaxName = 100;
 /// for a path.
 bool isName(const std::string& name) {
   return !name.empty() && name.size() <= kMaxName &&
-         name.find_first_of(":/ \t\n") == std::string::npos;
+         std::none_of(name.begin(), name.end(), [](unsigned char one) {
+           return one == ':' || one == '/' || one == ' ' || std::iscntrl(one) != 0;
+         });
 }
 
 std::string inBytes(std::size_t count) { return std::to_string(count) + " bytes"; }
@@ -46,8 +51,8 @@ std::optional<Refusal> Registry::whyNot(const ProcessRecord& process, std::size_
   if (!isName(process.name)) {
     return Refusal{Kind::MALFORMED,
                    asked +
-                       "a name has 1 to 100 characters, none of them ':', '/' or a space. "
-                       "Choose another name."};
+                       "a name has 1 to 100 characters, none of them ':', '/', a space or a "
+                       "control character. Choose another name."};
   }
   if (const ProcessRecord* holder = find(process.name)) {
     return Refusal{Kind::NAME_TAKEN, asked + "the name is held by " + title(*holder) +

@@ -76,6 +76,21 @@ TEST_F(CheckDeployment, ASoundFileIsSound) {
   EXPECT_EQ(found.subject, "2 processes, 2 components and 1 connection");
 }
 
+TEST_F(CheckDeployment, ASocketWithoutRoomForItsPathIsAMistake) {
+  const auto problemsOf = [&](std::size_t room) {
+    const std::size_t others = folder_.file("").size() + std::string(".4194304.sock").size();
+    const std::string name(room - others, 'p');
+    return checkText(R"({"manager": "unix:nobody.sock", "processes": [
+{"name": ")" + name + R"(", "components": []}, {"name": "q", "components": []}]})")
+        .problems;
+  };
+  EXPECT_EQ(problemsOf(107), Texts{});
+  const Texts problems = problemsOf(108);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(problems[0].starts_with(line(2) + "use the address 'unix:" + folder_.file("ppp")));
+  EXPECT_TRUE(contains(problems[0], "its path has 108 characters and a socket's may have 107"));
+}
+
 TEST_F(CheckDeployment, NothingIsConfigured) {
   EXPECT_EQ(check("{\"name\": \"U\", \"class\": \"Unplugged\"}", "", "").problems, Texts{});
 }

@@ -48,12 +48,28 @@ TEST(Deployment, NamesOfProcessesAreCheckedWithoutAManager) {
   EXPECT_TRUE(problemsWith(longest).empty());
   for (const std::string& name :
        {std::string(), std::string("a b"), std::string("a\\tb"), std::string("a\\nb"),
+        std::string("a\\u0000b"), std::string("a\\u001bb"), std::string("a\\u007f"),
         std::string("a:b"), std::string("a/b"), longest + "a"}) {
     const auto problems = problemsWith(name);
     ASSERT_EQ(problems.size(), 1u) << name;
     EXPECT_TRUE(problems[0].starts_with(
-        "d.json:1: error: expected a name of 1 to 100 characters, none of them ':', '/' or a "
-        "space, given to the program as --process; found string "))
+        "d.json:1: error: expected a name of 1 to 100 characters, none of them ':', '/', a space "
+        "or a control character, given to the program as --process; found string "))
+        << problems[0];
+  }
+}
+
+// The process would refuse these names when it adds the components.
+TEST(Deployment, NamesOfComponentsAreThoseThatAProcessTakes) {
+  for (const std::string name :
+       {"", "a b", "a:b", "a/b", "a->b", "a\\tb", "a\\nb", "a\\n->b", "a\\u0000b", "a\\u001bb"}) {
+    const auto problems =
+        problemsOf(R"({"processes": [{"name": "p", "components": [{"class": "C", "name": ")" +
+                   name + R"("}]}]})");
+    ASSERT_EQ(problems.size(), 1u) << name;
+    EXPECT_TRUE(problems[0].starts_with(
+        "d.json:1: error: expected a name without ':', '/', '->', spaces and control characters, "
+        "unique in its process; found string "))
         << problems[0];
   }
 }

@@ -94,14 +94,14 @@ TEST(Registry, ASilentProcessLosesItsNameToAnother) {
 
 TEST(Registry, NamesThatWouldBeMistakenForAnAddressAreRefused) {
   Registry registry;
-  for (const std::string name : {"", "a:b", "a/b", "a b"}) {
+  for (const std::string name : {"", "a:b", "a/b", "a b", "a\tb", "a\x1b", "a\x7f"}) {
     const auto added = registry.add(recordOf(name), link());
     ASSERT_FALSE(added) << name;
     EXPECT_EQ(added.error().kind, Kind::MALFORMED);
     EXPECT_EQ(added.error().text,
               "register process '" + name +
-                  "': a name has 1 to 100 characters, none of them ':', '/' or a space. Choose "
-                  "another name.");
+                  "': a name has 1 to 100 characters, none of them ':', '/', a space or a control "
+                  "character. Choose another name.");
   }
   EXPECT_FALSE(registry.add(recordOf(std::string(101, 'x')), link()));
   EXPECT_TRUE(registry.add(recordOf(std::string(100, 'x')), link()));
