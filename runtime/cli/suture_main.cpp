@@ -126,7 +126,7 @@ int report(const std::string& error, bool json, int status) {
     return status;
   }
   try {
-    printJson({{"error", error}});
+    printLine({{"error", error}});
   } catch (const ReaderGone&) {
     // The status tells the rest.
   } catch (const suture::SetupError& lost) {

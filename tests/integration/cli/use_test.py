@@ -171,6 +171,7 @@ class Use(System):
         output, errors = watching.communicate(timeout=PATIENCE)
         self.assertEqual((watching.returncode, errors), (1, ""))
         self.assertIn("process 'robot' is gone. Start it again.", json.loads(output)["error"])
+        self.assertEqual(output.count("\n"), 1, "each line is an object")
         self.robot.returncode = 0  # the test has killed it, so that this is no failure
 
     def test_watch_ends_when_its_provider_hangs(self):
