@@ -1,4 +1,5 @@
 #include "cli/command_line/arguments.h"
+#include "cli/contract/from_json.h"
 #include "cli/peer/wait.h"
 #include "cli/text/answer_text.h"
 #include "cli/text/screen.h"
@@ -76,9 +77,12 @@ bool hasError(const Json& complaints) {
 }  // namespace
 
 int call(rpc::EventPort& loop, const Options& options) {
-  const Json arguments = argumentsOf(options);
+  Json arguments = argumentsOf(options);
   Provider provider(loop, options, Target::parseInterface(options.target));
   const Member& command = provider.contract().command(options.member);
+  takeTexts(arguments, options, [&](const std::string& name, const Json& value) {
+    return leadsToText(command.method.getParamType(), name, value);
+  });
   Complaints complaints(loop, provider);
   const Answer answer =
       provider.call(command, arguments, options.json ? Labels::Names : Labels::Units);

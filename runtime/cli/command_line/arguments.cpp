@@ -22,6 +22,13 @@ std::optional<Json> parsed(const std::string& text, const std::string& name) {
   return Json::parse(text);
 }
 
+/// Returns "/goal/pose/x" for "goal.pose.x".
+std::string pointerOf(const std::string& name) {
+  std::string pointer = "/" + name;
+  std::replace(pointer.begin(), pointer.end(), '.', '/');
+  return pointer;
+}
+
 /// Tells if one pointer leads to what the other does, or into it.
 bool overlap(const std::string& one, const std::string& other) {
   return (one + "/").starts_with(other + "/") || (other + "/").starts_with(one + "/");
@@ -62,8 +69,7 @@ class Settings {
 
  private:
   std::string claim(const std::string& name, const std::string& asked) {
-    std::string pointer = "/" + name;
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    const std::string pointer = pointerOf(name);
     if (leadsTooFar(pointer)) {
       throw UsageError(asked, "no list has so many elements", "Give all of it in --args");
     }
@@ -93,6 +99,18 @@ Json argumentsOf(const Options& options) {
   Settings settings(arguments);
   for (const std::string& setting : options.settings) settings.add(setting);
   return arguments;
+}
+
+void takeTexts(Json& arguments, const Options& options, const IsText& isText) {
+  for (const std::string& setting : options.settings) {
+    const auto equals = setting.find('=');
+    const std::string name = setting.substr(0, equals);
+    const Json::json_pointer pointer(pointerOf(name));
+    if (!arguments.contains(pointer)) continue;  // "names.-=x" has added an element
+    Json& value = arguments.at(pointer);
+    if (value.is_string() || !isText(name, value)) continue;
+    value = setting.substr(equals + 1);
+  }
 }
 
 }  // namespace suture::cli

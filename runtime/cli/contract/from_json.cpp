@@ -7,7 +7,9 @@
 #include <suture/wire/json/packed_numbers.h>
 #include "cli/command_line/options.h"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace suture::cli {
@@ -183,7 +185,35 @@ capnp::StructSchema::Field alternativeIn(const Json& json,
   return given.front();
 }
 
+/// Returns the type of an optional value instead of that of the option.
+Type withoutOption(Type type) {
+  if (!type.isStruct()) return type;
+  const auto some = optionalIn(type.asStruct());
+  return some ? some->getType() : type;
+}
+
+/// Returns the type of that element or field, if there can be one.
+std::optional<Type> typeOf(Type owner, const std::string& name) {
+  if (owner.isList()) return owner.asList().getElementType();
+  if (!owner.isStruct()) return std::nullopt;
+  for (const auto field : owner.asStruct().getFields()) {
+    if (nameOf(field) == name) return field.getType();
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+bool leadsToText(capnp::StructSchema schema, std::string_view path, const Json& value) {
+  std::optional<Type> type = schema;
+  while (type && !path.empty()) {
+    const std::string name(path.substr(0, path.find('.')));
+    path.remove_prefix(std::min(name.size() + 1, path.size()));
+    type = typeOf(withoutOption(*type), name);
+  }
+  if (!type) return false;
+  return type->isText() || (withoutOption(*type).isText() && !value.is_null());
+}
 
 void fill(capnp::DynamicStruct::Builder out, const Json& json, const std::string& path) {
   const capnp::StructSchema schema = out.getSchema();

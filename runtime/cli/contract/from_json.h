@@ -5,6 +5,7 @@
 #include "cli/values/json.h"
 
 #include <string>
+#include <string_view>
 
 namespace suture::cli {
 
@@ -12,5 +13,9 @@ namespace suture::cli {
 /// toJson(), and is strict: no robot gets zeros that the user did not write. Throws UsageError if a
 /// field is missing, unknown or of another type.
 void fill(capnp::DynamicStruct::Builder out, const Json& json, const std::string& path);
+
+/// Returns true if `path`, as "goal.label", leads to a text, or to an optional one and `value` is
+/// not its absence.
+bool leadsToText(capnp::StructSchema schema, std::string_view path, const Json& value);
 
 }  // namespace suture::cli

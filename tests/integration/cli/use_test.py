@@ -111,6 +111,20 @@ class Use(System):
         self.assertEqual(error, f"call inverse_kinematics of {GRIPPER}: value outside its declared limits: "
                                 f"inverse_kinematics.tolerance; 'tolerance' is 2, and declared as Float64, 0.0 to 1.0. `suture describe {GRIPPER}` tells what it takes and answers")
 
+    def test_a_text_is_taken_as_it_is_typed(self):
+        """The shell takes the quotes that a text has in JSON."""
+        def answer(text):
+            return self.told("call", "robot:Hand/component", "resume_connection", f"required={text}")["value"]
+
+        for text in ("123", "true", "null", "[1]", '"123"', "Gripper"):
+            with self.subTest(text=text):
+                self.assertEqual(answer(text), "NoSuchInterface")
+        error = self.refused("call", "robot:Hand/component", "resume_connection", f"required={'1' * 64}")
+        self.assertIn("'required' has 64 bytes", error)
+        self.assertIn("'required'", self.refused("call", "robot:Hand/component", "resume_connection", "required.-=1", status=2))
+        error = self.refused("call", "robot:Hand/component", "resume_connection", "--args", '{"required": 123}', status=2)
+        self.assertIn("argument 'required': it is 123. Give a text, \"like this\"", error)
+
     def test_what_is_too_large_is_named(self):
         error = self.refused("call", "robot:Hand/component", "resume_connection", f"required={'x' * 64}")
         self.assertIn("; 'required' has 64 bytes, and declared as text of at most 63 bytes. `suture describe", error)
