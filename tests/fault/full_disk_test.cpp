@@ -37,8 +37,7 @@ std::optional<std::string> between(const std::string& told, const std::string& b
 /// nothing of it below `root`.
 std::string fileIn(const std::string& told, const std::string& root) {
   if (const auto whole = between(told, "Its last state is in ", "")) return *whole;
-  auto file = between(told, "Its last state is not kept: writing ", ": ");
-  if (!file) file = between(told, "Its last state is not kept: recording to ", ": ");
+  const auto file = between(told, "Its last state is not kept: recording to ", ": ");
   if (!file) {
     ADD_FAILURE() << told;
     return "";

@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstring>
+#include <string>
 #include <system_error>
 #include <tuple>
 #include <utility>
@@ -31,6 +33,20 @@ bool mayBeWritten(const std::filesystem::path& file) {
 SetupError cannotBeWritten(const std::filesystem::path& file) {
   return SetupError("recording to " + file.string(), "the file cannot be written",
                     "Name a file in an existing folder that you may write to");
+}
+
+SetupError notTaken(const std::string& asked, int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+      return SetupError(asked, "the file system did not take all of it", "Make room there");
+    case EPIPE:
+      return SetupError(asked, "the reader of this pipe has gone",
+                        "Start it anew with a reader that reads on");
+    default:
+      return SetupError(asked, std::string("not all of it was taken: ") + std::strerror(error),
+                        "Look at the disk that it is on, or name another file");
+  }
 }
 
 /// Waits for no reader of a pipe, which may never come, here or later.
@@ -104,7 +120,8 @@ bool LineFile::append(std::string_view lines) {
   if (descriptor_ < 0) return false;
   if (!replaced_) replaced_ = !regular_ || ftruncate(descriptor_, 0) == 0;
   struct stat before {};
-  problem_ = Problem::Full;
+  problem_ = Problem::NotTaken;
+  error_ = errno;
   if (!replaced_ || fstat(descriptor_, &before) != 0) return false;
   if (regular_ && before.st_nlink == 0) {
     problem_ = Problem::Removed;
@@ -125,9 +142,9 @@ SetupError LineFile::refusal() const {
     case Problem::NotRead:
       return SetupError(asked, "the reader of this pipe has taken nothing for 1 s",
                         "Start it anew with a reader that reads on");
-    case Problem::Full: break;
+    case Problem::NotTaken: break;
   }
-  return SetupError(asked, "the file system did not take all of it", "Make room there");
+  return notTaken(asked, error_);
 }
 
 // The reader has a torn line now, behind which nothing may come.
@@ -145,7 +162,10 @@ bool LineFile::writeAll(std::string_view lines) {
       if (awaitsMore(descriptor_)) continue;
       giveUp();
     }
-    if (taken <= 0) return false;
+    if (taken <= 0) {
+      error_ = errno;
+      return false;
+    }
     lines.remove_prefix(static_cast<std::size_t>(taken));
   }
   return true;

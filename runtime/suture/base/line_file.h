@@ -32,16 +32,17 @@ class LineFile {
   SetupError refusal() const;
 
  private:
-  enum class Problem : std::uint8_t { Full, Removed, NotRead };
+  enum class Problem : std::uint8_t { NotTaken, Removed, NotRead };
 
   bool writeAll(std::string_view lines);
   void giveUp();
 
   const std::filesystem::path file_;
   int descriptor_ = -1;
-  bool regular_ = false;             // no device or pipe, which others may use too
-  bool replaced_ = false;            // what it had before is gone
-  Problem problem_ = Problem::Full;  // the last that there was
+  bool regular_ = false;                 // no device or pipe, which others may use too
+  bool replaced_ = false;                // what it had before is gone
+  Problem problem_ = Problem::NotTaken;  // the last that there was
+  int error_ = 0;                        // why it was not taken, as errno
 };
 
 }  // namespace suture

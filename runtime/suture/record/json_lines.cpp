@@ -115,10 +115,10 @@ void JsonLines::settle(const CollectedInterface& from) {
   throw NotKept(file_.refusal(), lost.mapped().collected, lost.mapped().missed);
 }
 
-bool JsonLines::flush() {
+void JsonLines::flush() {
   const std::lock_guard lock(mutex_);
   put();
-  return std::exchange(lost_, {}).empty();
+  if (!std::exchange(lost_, {}).empty()) throw file_.refusal();
 }
 
 void JsonLines::put() {

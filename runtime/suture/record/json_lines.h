@@ -44,8 +44,8 @@ class JsonLines final : public Sink {
   /// take something of this collector since it was called last: none of that is in the file then,
   /// which ends with a whole line.
   void settle(const CollectedInterface& from) override;
-  /// Does the same for all collectors. Returns false if the file system did not take all of it.
-  bool flush();
+  /// Does the same for all collectors. Throws SetupError with the reason if something was not kept.
+  void flush();
 
  private:
   struct Count {

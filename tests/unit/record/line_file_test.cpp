@@ -10,8 +10,10 @@
 #include <fstream>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "support/refusal.h"
+#include "support/small_files.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -61,6 +63,21 @@ TEST_F(LineFileTest, GoesOnUnderTheNewNameOfItsFile) {
   EXPECT_EQ(std::filesystem::file_size(directory_.file("renamed")), 8u);
 }
 
+// A full disk is not the only reason: this one is the largest size that a file may have.
+TEST_F(LineFileTest, TellsWhyItTookNotAll) {
+  LineFile file(path_);
+  file.take();
+  {
+    const SmallFiles limit(4);
+    EXPECT_FALSE(file.append("a line that is longer\n"));
+  }
+  EXPECT_STREQ(file.refusal().what(),
+               ("recording to " + path_ +
+                ": not all of it was taken: File too large. Look at the disk that it is on, or "
+                "name another file")
+                   .c_str());
+}
+
 class LinePipeTest : public LineFileTest {
  protected:
   LinePipeTest() {
@@ -83,6 +100,18 @@ TEST_F(LinePipeTest, IsGivenUpIfItsReaderReadsNothing) {
                    .c_str());
   file.take();  // as its owner does when it is restarted
   EXPECT_FALSE(file.append("a line behind a torn one\n"));
+}
+
+TEST_F(LinePipeTest, TellsThatItsReaderHasGone) {
+  LineFile file(path_);
+  file.take();
+  EXPECT_TRUE(file.append("read\n"));
+  EXPECT_EQ(close(std::exchange(reader_, -1)), 0);
+  EXPECT_FALSE(file.append("lost\n"));
+  EXPECT_STREQ(file.refusal().what(),
+               ("recording to " + path_ +
+                ": the reader of this pipe has gone. Start it anew with a reader that reads on")
+                   .c_str());
 }
 
 TEST_F(LinePipeTest, WaitsForAReaderThatIsSlow) {
