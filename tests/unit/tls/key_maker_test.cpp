@@ -9,6 +9,7 @@
 
 #include "support/contains.h"
 #include "support/refusal.h"
+#include "support/small_files.h"
 #include "support/temporary_directory.h"
 
 namespace suture::tls {
@@ -79,6 +80,17 @@ TEST_F(KeyMaker, LeavesNothingBehindWhenTheLastFileCannotBeWritten) {
   const std::string error = refusal([&] { makeKeys(folder_, {"left"}); });
   EXPECT_TRUE(contains(error, "write " + (folder_ / "ca.crt").string())) << error;
   EXPECT_FALSE(fs::exists(folder_ / "ca.key"));
+}
+
+TEST_F(KeyMaker, TellsWhyTheDiskTookNotAll) {
+  std::string error;
+  {
+    const SmallFiles limit(16);
+    error = refusal([&] { makeKeys(folder_, {"left"}); });
+  }
+  EXPECT_EQ(error,
+            "write " + (folder_ / "ca.key").string() + ": File too large. Give another folder.");
+  EXPECT_TRUE(fs::is_empty(folder_));
 }
 
 TEST_F(KeyMaker, ACaWithoutItsKeyIsRefused) {

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <ctime>
 #include <set>
+#include <string_view>
 
 namespace suture::tls {
 namespace {
@@ -194,13 +195,30 @@ class NewFiles {
  private:
   template <class Fill>
   void write(const fs::path& path, mode_t mode, Fill fill) {
+    const BioPtr text(BIO_new(BIO_s_mem()));
+    require(text != nullptr && fill(text.get()) == 1, "write " + path.string());
+    char* bytes = nullptr;
+    const long size = BIO_get_mem_data(text.get(), &bytes);
     const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
-    if (file < 0) {
-      throw SetupError("write " + path.string(), std::strerror(errno), "Give another folder.");
-    }
+    if (file < 0) refuse(path, errno);
     files_.push_back(path);
-    const BioPtr out(BIO_new_fd(file, BIO_CLOSE));
-    require(out != nullptr && fill(out.get()) == 1, "write " + path.string());
+    const int error = errorOf(file, {bytes, static_cast<std::size_t>(size)});
+    close(file);
+    if (error != 0) refuse(path, error);
+  }
+
+  /// Returns the errno of what keeps `text` from being written; 0 if all of it is.
+  static int errorOf(int file, std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t taken = ::write(file, text.data(), text.size());
+      if (taken < 0 && errno != EINTR) return errno;
+      if (taken > 0) text.remove_prefix(static_cast<std::size_t>(taken));
+    }
+    return 0;
+  }
+
+  [[noreturn]] static void refuse(const fs::path& path, int error) {
+    throw SetupError("write " + path.string(), std::strerror(error), "Give another folder.");
   }
 
   std::vector<fs::path> files_;
