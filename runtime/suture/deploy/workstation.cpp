@@ -137,7 +137,7 @@ class Run {
       const Time looked = now();
       if (looked < reportDue || looked >= end_) continue;  // the last report comes after this
       reports_.report(observe(host_.manager(), began_));
-      reportDue += interval_;
+      reportDue = std::max(reportDue + interval_, now());  // those of a pause are left out
     }
     const Time ending = now();
     host_.endBlackBox();

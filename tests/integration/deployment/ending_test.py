@@ -49,6 +49,17 @@ class Ending(Stations):
         kinds = [json.loads(line)["kind"] for line in station.communicate(timeout=60)[0].splitlines()]
         self.assertEqual(kinds, ["started", "report"])
 
+    def test_the_reports_of_a_pause_are_left_out(self):
+        station = self.workstation({"processes": [{"name": "robot", "components": []}]}, "--report-fd", "-", "--report-interval", "0.05",
+                                   "--seconds", "3")
+        self.assertEqual(json.loads(station.stdout.readline())["kind"], "started")
+        station.send_signal(signal.SIGSTOP)
+        time.sleep(2)
+        station.send_signal(signal.SIGCONT)
+        reports = station.communicate(timeout=60)[0].splitlines()
+        # It has run for 1 s at most.
+        self.assertLess(len(reports), 30)
+
     def test_a_reader_that_does_not_read_holds_up_nothing(self):
         spindle = component("Spindle", "Spindle", cycles=1000000, brake=str(self.brake))
         deployment = {"processes": [{"name": "robot", "components": [spindle]}]}
