@@ -18,26 +18,40 @@ std::vector<rpc::Address> addressesOf(const std::string& text) {
   }
 }
 
-/// If it fails, says also how to start a manager there.
+bool somebodyListens(rpc::EventPort& loop, const rpc::Address& address, Duration patience) {
+  try {
+    cli::knock(loop, address, patience);
+    return true;
+  } catch (const SetupError&) {
+    return false;
+  }
+}
+
+/// Where nobody listens, says also how to start a manager there.
 kj::Own<rpc::Link> reachManager(rpc::EventPort& loop, const rpc::Address& address,
                                 const Options& options) {
   rpc::requireKeys(address, options.trust);  // no manager helps where we have none
   try {
     return cli::reach(loop, address, options.trust, tls::kManagerName, options.patience).link;
   } catch (const SetupError& error) {
-    throw SetupError(std::string("reach the global manager: ") + error.what() + " " +
-                     howToStartManager(address));
+    const std::string why = std::string("reach the global manager: ") + error.what();
+    if (somebodyListens(loop, address, options.patience)) throw SetupError(why);
+    throw SetupError(why + " " + howToStartManager(address));
   }
 }
 
-kj::Promise<wire::Session::Client> greet(wire::GlobalManager::Client manager) {
+kj::Promise<wire::Session::Client> greet(wire::GlobalManager::Client manager,
+                                         const rpc::Address& address) {
   auto request = manager.helloRequest();
   request.setVersion(wire::PROTOCOL_VERSION);
   request.setProgram(kOwnName);
-  return request.send().then([](auto&& results) -> kj::Promise<wire::Session::Client> {
-    if (results.isRefused()) return refused(results.getRefused());
-    return results.getSession();
-  });
+  using Greeted = kj::Promise<wire::Session::Client>;
+  return request.send().then(
+      [](auto&& results) -> Greeted {
+        if (results.isRefused()) return refused(results.getRefused());
+        return results.getSession();
+      },
+      [address](kj::Exception&& failure) -> Greeted { return notGreeted(address, failure); });
 }
 
 std::string noManagerAnswers(const rpc::Address& address) {
@@ -67,7 +81,7 @@ Names::Manager Names::openFirst(rpc::EventPort& loop, const Options& options) {
 Names::Manager Names::open(rpc::EventPort& loop, const rpc::Address& address,
                            const Options& options) {
   auto link = reachManager(loop, address, options);
-  auto greeted = greet(link->bootstrap<wire::GlobalManager>());
+  auto greeted = greet(link->bootstrap<wire::GlobalManager>(), address);
   auto session = wait(loop, options.patience, kj::mv(greeted), noManagerAnswers(address));
   return {address, kj::mv(link), kj::mv(session)};
 }

@@ -3,6 +3,7 @@
 #include <suture/loop/failure.h>
 #include <suture/names/listing.h>
 #include <suture/names/manager_lease.h>
+#include <suture/names/start_hint.h>
 #include <suture/net/tls/keys.h>
 
 #include <algorithm>
@@ -42,11 +43,15 @@ kj::Promise<void> ManagerLease::open() {
     auto request = link->bootstrap<wire::GlobalManager>().helloRequest();
     request.setVersion(wire::PROTOCOL_VERSION);
     request.setProgram(textOf(program_));
-    auto hello = request.send().then([this](auto&& results) -> kj::Promise<void> {
-      if (results.isRefused()) return refused(results.getRefused());
-      session_ = results.getSession();
-      return kj::READY_NOW;
-    });
+    auto hello = request.send().then(
+        [this](auto&& results) -> kj::Promise<void> {
+          if (results.isRefused()) return refused(results.getRefused());
+          session_ = results.getSession();
+          return kj::READY_NOW;
+        },
+        [this](kj::Exception&& failure) -> kj::Promise<void> {
+          return notGreeted(manager_, failure);
+        });
     link_ = kj::mv(link);
     return rpc::within(control_.timer(), kAnswerLimit, kj::mv(hello),
                        "talk to " + manager_.text() +

@@ -142,6 +142,13 @@ class Fail(System):
         self.assertIn(f"suture-manager --listen {self.address}", error)
         self.assertIn("suture-manager", self.failed("manager", "robot")["remedy"])
 
+    def test_a_socket_of_a_process_is_no_manager(self):
+        self.start_manager()
+        self.start_robot()
+        process = self.told("ps")[0]["addresses"][0]
+        self.address = process
+        self.assertEqual(self.refused("ps"), f"talk to {process}: what listens there is no global manager. Correct the address.")
+
     def test_a_manager_that_hangs(self):
         manager = self.start_manager()
         self.stop(manager)

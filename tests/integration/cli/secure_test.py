@@ -74,6 +74,14 @@ class SecureSystem(System):
         self.assertEqual(done.returncode, 1, done)
         self.assertIn("failed", done.stdout)
         self.assertIn("certificate", done.stdout)
+        self.assertNotIn("start it with", done.stdout, "the manager runs")
+
+    def test_an_address_of_the_wrong_kind_is_named(self):
+        self.start_system()
+        self.address = self.address.replace("tls", "tcp")
+        error = self.refused("ps")
+        self.assertEqual(error, f"talk to {self.address}: it speaks TLS, and this end does not. Correct the address: tls:// at "
+                                "both ends, or at neither.")
 
 
 if __name__ == "__main__":

@@ -22,9 +22,20 @@ class Starting(Stations):
         address = f"unix:{self.folder}/manager.sock"
         station = self.workstation(self.two(address), "--process", "there")
         self.assertEqual(station.stderr.readline(), "there: waits for a global manager for at most 10 s. "
-                                                    f"Start it with: suture-manager --listen {address}\n")
+                                                    f"If it does not run, start it with: suture-manager --listen {address}\n")
         self.manager(address)
         self.assertEqual(station.stderr.readline(), "there: runs 'Platter'\n")
+
+    def test_a_socket_of_a_process_is_no_manager(self):
+        address = f"unix:{self.folder}/manager.sock"
+        self.manager(address)
+        there = self.workstation(self.two(address), "--process", "there")
+        self.await_line(there, "runs 'Platter'\n")
+        (socket,) = self.folder.glob("there.*.sock")
+        here = self.workstation(self.two(f"unix:{socket}"), "--process", "here")
+        problems = here.communicate(timeout=60)[1]
+        self.assertEqual(here.returncode, 1)
+        self.assertIn(f"talk to unix:{socket}: what listens there is no global manager. Correct the address.", problems)
 
     def test_a_wait_for_a_provider_names_its_process(self):
         address = f"unix:{self.folder}/manager.sock"
