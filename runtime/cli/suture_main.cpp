@@ -15,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -196,6 +197,7 @@ int help(const CLI::App& app, const CLI::ParseError& asked) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);
   if (outputIsClosed()) return kFailed;
   suture::openStandardDescriptors();
   const std::string word = argc > 1 ? argv[1] : "";

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 
@@ -152,10 +151,7 @@ std::string knownTo(Duration error) {
 }
 
 void print(const std::string& text) {
-  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (whole && std::fflush(stdout) == 0) return;
-  if (errno == EPIPE) throw ReaderGone("nobody reads standard output");
-  throw outputLost();
+  if (!writeOut(text)) throw ReaderGone("nobody reads standard output");
 }
 
 void printJson(const Json& json) {

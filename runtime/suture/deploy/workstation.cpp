@@ -15,10 +15,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -94,6 +93,17 @@ std::string nearestOption(const CLI::App& app, const std::string& word) {
   return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
 }
 
+/// Returns the exit status, which a reader that has gone does not change.
+int print(const std::string& text) {
+  try {
+    writeOut(text);
+    return 0;
+  } catch (const SetupError& lost) {
+    std::fprintf(stderr, "%s\n", lost.what());
+    return kFailed;
+  }
+}
+
 /// Returns the exit status if the command line ends the program.
 std::optional<int> read(CLI::App& app, Options& options, int argc, const char* const* argv) {
   std::string problem;
@@ -105,7 +115,7 @@ std::optional<int> read(CLI::App& app, Options& options, int argc, const char* c
     const std::string word = app.remaining().empty() ? "" : app.remaining().front();
     problem = "there is no option '" + word + "'" + nearestOption(app, word);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    if (error.get_exit_code() == 0) return print(app.help());
     problem = error.what();
   }
   std::fprintf(stderr, "%s\n`%s --help` tells what there is.\n", problem.c_str(), argv[0]);
@@ -286,11 +296,7 @@ int check(const Options& options, std::span<const ComponentClass> classes) {
     tellErrors(DocumentError(found.problems).what());
     return kFailed;
   }
-  const std::string said = options.deployment + ": no mistake in " + found.subject + "\n";
-  if (std::fputs(said.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return 0;
-  std::fprintf(stderr, "write to standard output: %s. Make room, or write elsewhere\n",
-               std::strerror(errno));
-  return kFailed;
+  return print(options.deployment + ": no mistake in " + found.subject + "\n");
 }
 
 int runWorkstation(const Options& options, std::span<const ComponentClass> classes) {
@@ -309,6 +315,7 @@ int runWorkstation(const Options& options, std::span<const ComponentClass> class
 }  // namespace
 
 int workstationMain(int argc, const char* const* argv, std::span<const ComponentClass> classes) {
+  std::signal(SIGPIPE, SIG_IGN);
   Options options;
   CLI::App app("Runs one process of a deployment.");
   declare(app, options);

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <tuple>
 
@@ -17,6 +18,13 @@ void openStandardDescriptors() {
 
 SetupError outputLost() {
   return {"write to standard output", std::strerror(errno), "Make room, or write elsewhere"};
+}
+
+bool writeOut(const std::string& text) {
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (whole && std::fflush(stdout) == 0) return true;
+  if (errno == EPIPE) return false;
+  throw outputLost();
 }
 
 }  // namespace suture

@@ -15,4 +15,8 @@ void openStandardDescriptors();
 /// Returns that standard output does not take what is written, for the reason in errno.
 SetupError outputLost();
 
+/// Writes to standard output at once. Returns false if nobody reads it any more, which needs
+/// SIGPIPE to be ignored. Throws SetupError if the text is lost otherwise.
+bool writeOut(const std::string& text);
+
 }  // namespace suture

@@ -9,9 +9,11 @@
 #include <suture/net/tls/keys.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -52,9 +54,30 @@ void serve(const Options& options) {
   (void)toldToEnd.endBefore(suture::Time::max());
 }
 
+int help(const CLI::App& app, const CLI::ParseError& asked) {
+  std::ostringstream text;
+  const int status = app.exit(asked, text, text);
+  suture::writeOut(text.str());
+  return status;
+}
+
+/// Returns the exit status.
+int run(CLI::App& app, const Options& options, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return help(app, error);
+    app.exit(error);
+    return kMisused;
+  }
+  serve(options);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);
   suture::openStandardDescriptors();
   CLI::App app{
       "Knows the names of the processes of a Suture system, so that they find each other."};
@@ -68,14 +91,10 @@ int main(int argc, char** argv) {
   app.add_option("--user", options.users,
                  "unix: a user (by number) whose processes may come too; more than once for more");
   try {
-    app.parse(argc, argv);
-    serve(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kMisused;  // 0: --help
+    return run(app, options, argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "suture-manager: %s\n`%s` tells more\n", error.what(),
                  suture::whyCommand(error.what()).c_str());
     return kFailed;
   }
-  return 0;
 }

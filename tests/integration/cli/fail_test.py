@@ -119,6 +119,22 @@ class Fail(System):
         self.assertIn("--deployment FILE or --process NAME is required", keys.stderr)
         self.assertIn("--read requires name", self.refused("watch", GRIPPER, "--read", status=2))
 
+    def test_a_reader_that_has_gone_changes_no_status(self):
+        for words, status in (((SUTURE, "--help"), 0), ((SUTURE, "read", "--help"), 0), ((SUTURE, "psx", "--json"), 2),
+                              ((SUTURE, "ps", "--json", "--manager", self.address), 1), ((MANAGER, "--help"), 0)):
+            with self.subTest(words=words):
+                reader, writer = os.pipe()
+                os.close(reader)
+                done = subprocess.run(words, stdout=writer, stderr=subprocess.PIPE, text=True, timeout=PATIENCE)
+                os.close(writer)
+                self.assertEqual((done.returncode, done.stderr), (status, ""))
+
+    def test_the_help_of_a_manager_may_be_lost(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([MANAGER, "--help"], stdout=full, stderr=subprocess.PIPE, text=True, timeout=PATIENCE)
+        self.assertEqual(done.returncode, 1)
+        self.assertTrue(done.stderr.startswith("suture-manager: write to standard output: No space left on device."), done.stderr)
+
     def test_a_manager_that_is_asked_for_what_cannot_be_meant(self):
         for words in (("--lisen", "x"), ("--user", "me"), ("--keys",), ("again",)):
             with self.subTest(words=words):

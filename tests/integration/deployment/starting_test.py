@@ -95,13 +95,26 @@ class Starting(Stations):
         self.assertEqual(alone.splitlines()[0], lines[0])
         self.assertNotIn("Of_there", alone)
 
-    def test_a_check_whose_answer_is_lost_fails(self):
-        with open("/dev/full", "w", encoding="utf-8") as full:
-            file = self.folder / "d.json"
-            file.write_text('{"processes": [{"name": "one", "components": []}]}')
-            done = subprocess.run([PROGRAM, "--deployment", file, "--check"], stdout=full, stderr=subprocess.PIPE, text=True,
-                                  timeout=60, check=False)
-        self.assertEqual((done.returncode, done.stderr), (1, "write to standard output: No space left on device. Make room, or write elsewhere\n"))
+    def ended(self, words, output):
+        """Returns the exit status and what is told on standard error."""
+        file = self.folder / "d.json"
+        file.write_text('{"processes": [{"name": "one", "components": []}]}')
+        done = subprocess.run([PROGRAM, "--deployment", file, *words], stdout=output, stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+        return done.returncode, done.stderr
+
+    def test_an_answer_that_is_lost_is_a_failure(self):
+        for words in (("--check",), ("--help",)):
+            with self.subTest(words=words), open("/dev/full", "w", encoding="utf-8") as full:
+                self.assertEqual(self.ended(words, full),
+                                 (1, "write to standard output: No space left on device. Make room, or write elsewhere\n"))
+
+    def test_a_reader_that_has_gone_changes_no_status(self):
+        for words, status in ((("--check",), 0), (("--help",), 0), (("--check", "--process", "two"), 1)):
+            with self.subTest(words=words):
+                reader, writer = os.pipe()
+                os.close(reader)
+                self.assertEqual(self.ended(words, writer)[0], status)
+                os.close(writer)
 
     def test_the_command_that_tells_more_can_be_copied(self):
         station = self.workstation({"processes": [{"name": "one", "components": [{"name": "Hand", "class": "Hnad"}]}]})
