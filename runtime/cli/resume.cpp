@@ -1,8 +1,13 @@
 #include <suture/base/errors.h>
+#include <suture/base/nearest.h>
 #include "cli/command_line/target.h"
+#include "cli/peer/lookup.h"
 #include "cli/peer/provider.h"
 #include "cli/text/screen.h"
 #include "cli/verbs.h"
+
+#include <string>
+#include <vector>
 
 namespace suture::cli {
 namespace {
@@ -31,12 +36,19 @@ std::string told(const std::string& outcome, const std::string& connection) {
     throw SetupError(asked, "its provider is lost, suspended or faulted",
                      "Have it run again, and look at it, first");
   }
-  if (outcome == "NoSuchInterface") {
-    throw SetupError(asked, "its component requires no such interface",
-                     "`suture ps` shows those that there are");
-  }
   throw SetupError(asked, "it answers '" + outcome + "', which this program does not know",
                    "Use the `suture` that the process was built with");
+}
+
+/// Throws SetupError with what could have been meant.
+[[noreturn]] void refuseUnknown(rpc::EventPort& loop, const Options& options, const Target& asked) {
+  Peer peer = meet(loop, options, asked.process);
+  std::vector<std::string> names;
+  for (const auto& one : findComponent(peer, asked).required) names.push_back(one.name);
+  throw SetupError(
+      "resume '" + asked.toString() + "'",
+      "its component requires no such interface; it has " + listNamed("required interfaces", names),
+      remedyForName(asked.interface, names));
 }
 
 }  // namespace
@@ -47,6 +59,7 @@ int resume(rpc::EventPort& loop, const Options& options) {
   const Member& command = life.contract().command("resume_connection");
   const Answer answer = life.call(command, {{"required", required.interface}}, Labels::Names);
   const std::string outcome = valueLine(answer.value);  // a peer may answer no text
+  if (outcome == "NoSuchInterface") refuseUnknown(loop, options, required);
   const std::string text = told(outcome, required.toString());
   if (options.json) {
     printJson({{"outcome", outcome}});

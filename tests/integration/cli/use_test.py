@@ -73,7 +73,10 @@ class Use(System):
 
     def test_a_wrong_resume_is_refused(self):
         self.assertIn("it is not connected", self.refused("resume", "robot:Surgeon/Arm"))
-        self.assertIn("requires no such interface", self.refused("resume", "robot:Surgeon/Hand"))
+        self.assertRegex(self.refused("resume", "robot:Surgeon/Griper"),
+                         "requires no such interface; it has required interfaces .*'Gripper'.* Did you mean 'Gripper'\\?$")
+        self.assertRegex(self.refused("resume", "robot:Surgeon/component"),
+                         "requires no such interface; it has required interfaces .*'Gripper'.* Use one of those names$")
         self.assertIn("is not of the form", self.refused("resume", "robot:Surgeon", status=2))
 
     def test_arguments_are_given_as_json_and_by_their_paths(self):
