@@ -40,7 +40,8 @@ class NumberRule {
   void applyDefault(const model::Field& field) {
     if (!hasKnownNumber(field) || !field.range || field.range->first > field.range->second) return;
     const double value = defaultOf(field);
-    if (value >= field.range->first && value <= field.range->second) return;
+    if (value >= boundOf(field, field.range->first) && value <= boundOf(field, field.range->second))
+      return;
     addError(findings_, field.source, "default-range",
              "field '" + field.name + "' is " + shown(value) + " by default, outside its range " +
                  shown(field.range->first) + " to " + shown(field.range->second),
@@ -58,6 +59,13 @@ class NumberRule {
     const bool fixed = type.shape == Shape::Matrix ||
                        (type.shape == Shape::Array && type.element.front().shape == Shape::Scalar);
     return fixed && !field.isPreset;
+  }
+
+  /// Returns a bound as generated code compares the field with it: a float with the nearest float.
+  static double boundOf(const model::Field& field, double bound) {
+    const bool isFloat = field.type.shape == model::Type::Shape::Scalar &&
+                         field.type.scalar == model::Scalar::Float32;
+    return isFloat ? static_cast<double>(static_cast<float>(bound)) : bound;
   }
 
   static double defaultOf(const model::Field& field) {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -27,9 +28,19 @@ bool isValid(T value, FieldPath* = nullptr) {
     return true;
   }
 }
+/// Returns the float that is nearest to a bound.
+inline float nearestFloat(double bound) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  return static_cast<float>(std::isinf(bound) ? bound : std::clamp(bound, -kMost, kMost));
+}
+/// Compares a float with what its bounds are as floats, because 0.1F is more than 0.1.
 template <Number T>
 bool inRange(T value, double lowest, double highest) {
-  return static_cast<double>(value) >= lowest && static_cast<double>(value) <= highest;
+  if constexpr (std::is_same_v<T, float>) {
+    return value >= nearestFloat(lowest) && value <= nearestFloat(highest);
+  } else {
+    return static_cast<double>(value) >= lowest && static_cast<double>(value) <= highest;
+  }
 }
 
 /// Adds to a path what tells an element of a sequence from the others: its place, or its key.

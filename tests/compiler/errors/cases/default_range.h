@@ -36,4 +36,7 @@ struct Listed {
   double low, within;
 };
 SUTURE_EXTERNAL_TYPE(Listed, member(low, range(1, 2)), member(within, range(1, 2)));
+struct SUTURE_TYPE() AtItsBound {
+  SUTURE_FIELD(range(0, 0.1)) float rounded = 0.1F;
+};
 }  // namespace demo
