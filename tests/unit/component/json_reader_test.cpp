@@ -92,6 +92,44 @@ TEST(JsonReader, ADurationThatDoesNotFitIsRefused) {
   EXPECT_EQ(problemOf<Short>(33), "expected a number of seconds from -32 to 32, found number 33.0");
 }
 
+template <class Parameters>
+void expectToKeepItsPeriod(Parameters value) {
+  std::vector<JsonProblem> problems;
+  value->period = 0.002;
+  fromJson(JsonReader(nlohmann::json::parse(R"({"home": [1, 2, 3]})"), "", problems), value);
+  EXPECT_TRUE(problems.empty());
+  EXPECT_EQ(value->home[2], 3);
+  EXPECT_EQ(value->period, 0.002);
+}
+
+TEST(JsonReader, APartOfAnOptionalValueKeepsTheRestOfItsDefault) {
+  using Parameters = reference::SimulatedArmParameters;
+  expectToKeepItsPeriod(std::optional(Parameters{}));
+  expectToKeepItsPeriod(std::make_unique<Parameters>());
+}
+
+TEST(JsonReader, ADurationIsRoundedToTheNearest) {
+  using std::chrono::milliseconds;
+  const auto read = [](double number) {
+    std::vector<JsonProblem> problems;
+    milliseconds value{};
+    fromJson(JsonReader(nlohmann::json(number), "/x", problems), value);
+    EXPECT_TRUE(problems.empty());
+    return value.count();
+  };
+  for (int count = -1100; count <= 1100; ++count) EXPECT_EQ(read(count / 1000.0), count);
+  EXPECT_EQ(problemOf<milliseconds>(0.0004),
+            "expected a number of seconds that is 0 or at least 0.001, found number 0.0004");
+}
+
+TEST(JsonReader, ABoundMayBeInfinite) {
+  std::vector<JsonProblem> problems;
+  JsonReader(nlohmann::json(-1), "/x", problems)
+      .checkRange(0, std::numeric_limits<double>::infinity());
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].text, "expected a number from 0 to infinity, found number -1");
+}
+
 TEST(JsonReader, AFloatThatDoesNotFitIsRefused) {
   EXPECT_TRUE(problemOf<float>(1e300).starts_with("expected a number from -3.4"))
       << problemOf<float>(1e300);

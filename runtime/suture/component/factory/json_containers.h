@@ -15,16 +15,17 @@
 
 namespace suture {
 
-/// Reads null as an empty optional.
+/// Reads null as an empty optional. What the JSON does not mention of a value keeps its default.
 template <class T>
 void fromJson(const JsonReader& in, std::optional<T>& value) {
   if (in.json().is_null()) return value.reset();
-  fromJson(in, value.emplace());
+  if (!value) value.emplace();
+  fromJson(in, *value);
 }
 template <class T>
 void fromJson(const JsonReader& in, std::unique_ptr<T>& value) {
   if (in.json().is_null()) return value.reset();
-  value = std::make_unique<T>();
+  if (!value) value = std::make_unique<T>();
   fromJson(in, *value);
 }
 

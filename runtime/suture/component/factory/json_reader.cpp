@@ -2,6 +2,7 @@
 #include <suture/component/factory/json_reader.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suture {
 namespace {
@@ -12,8 +13,9 @@ std::string child(const std::string& pointer, const std::string& key) {
   return (nlohmann::json::json_pointer(pointer) / key).to_string();
 }
 
-/// Returns "63" of 63.0, which is a bound of whole numbers too.
+/// Returns "63" of 63.0, which is a bound of whole numbers too. JSON has no infinity.
 std::string shortest(double number) {
+  if (std::isinf(number)) return number > 0 ? "infinity" : "-infinity";
   std::string text = nlohmann::json(number).dump();
   if (text.ends_with(".0")) text.resize(text.size() - 2);
   return text;
@@ -41,6 +43,10 @@ bool JsonReader::isWithin(double lowest, double highest, std::string_view what) 
   if (number >= lowest && number <= highest) return true;
   expected(std::string(what) + " from " + shortest(lowest) + " to " + shortest(highest));
   return false;
+}
+
+void JsonReader::tooShort(double tick) const {
+  expected("a number of seconds that is 0 or at least " + shortest(tick));
 }
 
 JsonReader JsonReader::at(const std::string& key) const {

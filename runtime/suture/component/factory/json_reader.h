@@ -54,6 +54,8 @@ class JsonReader {
   /// Returns true if this number lies between the two, and reports else that `what` was expected:
   /// "a number".
   bool isWithin(double lowest, double highest, std::string_view what) const;
+  /// Reports a time that would be taken for 0, of which the type counts steps of `tick` seconds.
+  void tooShort(double tick) const;
   /// Reports every number, here or within lists and objects, that is not between the two.
   void checkRange(double lowest, double highest) const;
 
@@ -125,8 +127,16 @@ void fromJson(const JsonReader& in, std::chrono::duration<Rep, Period>& value) {
   const bool fits = in.isWithin(std::ceil(Seconds(Target::min()).count()),
                                 std::floor(Seconds(Target::max()).count()), "a number of seconds");
   if (!fits) return;
-  value =
-      std::chrono::duration_cast<Target>(std::chrono::duration<double>(in.json().get<double>()));
+  const Seconds seconds(in.json().get<double>());
+  if constexpr (std::is_floating_point_v<Rep>) {
+    value = std::chrono::duration_cast<Target>(seconds);
+  } else {
+    const auto nearest = std::chrono::round<Target>(seconds);
+    // Zero often stands for no limit, so it must be written.
+    if (nearest == Target::zero() && seconds != Seconds::zero())
+      return in.tooShort(Seconds(Target(1)).count());
+    value = nearest;
+  }
 }
 
 template <class T>
