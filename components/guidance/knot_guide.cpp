@@ -176,6 +176,7 @@ bool KnotGuide::read(Side& side) {
   if (!poses || !side.arms.ready()) return false;
   if (parameters_.fixtures) side.readJoints(parameters_.max_age);
   side.poses = *poses;
+  if (poses->rebased) side.law.reset();
   return true;
 }
 
@@ -230,7 +231,7 @@ void KnotGuide::giveUp(const char* why) {
 bool KnotGuide::mustBeginAnew() {
   const bool leftBroke = left_.arms.slave().hasBrokenOff();
   const bool rightBroke = right_.arms.slave().hasBrokenOff();
-  if (leftBroke || rightBroke || !left_.law) return true;
+  if (leftBroke || rightBroke || !left_.law || !right_.law) return true;
   // A set-point may come back as late as max_age, and it is looked at a cycle or two later.
   const double most =
       std::numbers::sqrt3 * parameters_.speed * inSeconds(parameters_.max_age + 2 * period());

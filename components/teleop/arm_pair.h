@@ -2,9 +2,12 @@
 // This is a master and the slave that it drives, as the task between them sees them.
 
 #include <suture/base/time.h>
+#include <suture/component/read_together.h>
 #include <suture/component/required.h>
 
+#include <Eigen/Geometry>
 #include <optional>
+#include <tuple>
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
@@ -16,6 +19,8 @@ namespace robots {
 /// Are where a master is, and where its slave was sent.
 struct ArmPoses {
   PoseStamped master, slave;
+  /// The master's poses refer to another base than those before, so that it seems to have moved.
+  bool rebased = false;
 };
 
 /// Says what to do about a slave that refuses() its goals.
@@ -53,12 +58,18 @@ class ArmPair {
   }
   /// Returns both poses; none if either may not be acted on, or is older than `maxAge`.
   std::optional<ArmPoses> poses(suture::Duration maxAge) {
-    const auto masterSample = master_.measured_cp();
+    // Both are of one row: no pose is taken for one in the base of before.
+    const auto row = suture::readTogether(master_.measured_cp, master_.base_frame);
+    if (!row) return std::nullopt;
+    const suture::Sample<PoseStamped> masterSample(std::get<PoseStamped>(*row), row.stamp());
     const auto slaveSample = slave_.setpoint_cp();
     const PoseStamped* const master = freshMeasurement(masterSample, maxAge);
     const PoseStamped* const slave = freshPose(slaveSample, maxAge);
     if (master == nullptr || slave == nullptr) return std::nullopt;
-    return ArmPoses{*master, *slave};
+    const Eigen::Isometry3d& base = std::get<TransformStamped>(*row).transform;
+    const bool rebased = base_ && base_->matrix() != base.matrix();
+    base_ = base;
+    return ArmPoses{*master, *slave, rebased};
   }
   /// Lets the slave hold where it is. Does not disturb others who move one that is not ready.
   void holdSlave() {
@@ -68,6 +79,7 @@ class ArmPair {
  private:
   suture::Required<Arm>&master_, &slave_;
   ArmWatch masterWatch_, slaveWatch_;
+  std::optional<Eigen::Isometry3d> base_;  // of the master
 };
 
 }  // namespace robots

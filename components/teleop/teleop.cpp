@@ -98,7 +98,8 @@ void Teleop::step(suture::Time now) {
   const auto poses = arms_.poses(parameters_.max_age);
   if (arms_.slave().refuses() && state_ == TeleopState::Following) return giveUp(kGoalsRefused);
   const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
-  if (arms_.slave().hasBrokenOff() || missed) {
+  const bool rebased = poses && poses->rebased;
+  if (arms_.slave().hasBrokenOff() || missed || rebased) {
     law_.reset();
     jawFollower_.end();
   }

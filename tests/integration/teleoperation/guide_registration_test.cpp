@@ -101,6 +101,18 @@ TEST_F(Guide, MovesNoSlaveWhenABaseIsCorrected) {
   manager_.stop();  // before its components are gone
 }
 
+/// A master that rests sends no goals, so its arm accepts another base.
+TEST_F(Guide, MovesNoSlaveWhenTheBaseOfARestingMasterIsMoved) {
+  for (const std::size_t master : {0, 1}) {
+    const Vector3d leftHeld = left(), rightHeld = right();
+    arms_[master].rebase({0.05, 0, 0});
+    pass(100ms);
+    EXPECT_TRUE(left().isApprox(leftHeld, 1e-9)) << "it jumped";
+    EXPECT_TRUE(right().isApprox(rightHeld, 1e-9)) << "it jumped";
+  }
+  expectThatBothFollow();
+}
+
 /// Turns what stands there about `centre`, m.
 void turn(Eigen::Isometry3d& frame, const Vector3d& centre, double angle, const Vector3d& axis) {
   const Eigen::Translation3d there(centre);

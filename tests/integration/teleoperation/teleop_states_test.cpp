@@ -150,6 +150,17 @@ TEST_F(TeleopStates, AnotherScaleDoesNotMoveTheSlave) {
   EXPECT_EQ(operator_.state(), TeleopState::Following);
 }
 
+/// A master that rests sends no goals, so its arm accepts another base.
+TEST_F(TeleopStates, AnotherBaseOfARestingMasterDoesNotMoveTheSlave) {
+  startFollowing();
+  const Isometry3d held = slave_.pose();
+  master_.rebase({0.05, 0, 0});
+  pass(100ms);
+  EXPECT_TRUE(slave_.pose().isApprox(held, 1e-9)) << "it jumped";
+  EXPECT_EQ(operator_.state(), TeleopState::Following);
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
+}
+
 TEST_F(TeleopStates, AScaleOutOfRangeIsRefused) {
   startFollowing();
   EXPECT_EQ(operator_.teleop.set_scale(0).error(), suture::Errc::Invalid);

@@ -83,6 +83,13 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     for (std::size_t i = 0; i < 6; ++i) jacobian_.coefficients[7 * i] = 1;
     jacobian_.valid = true;
   }
+  /// Gives its poses from now on in a base that stands so far from the one before, as
+  /// set_base_frame() does.
+  void rebase(const Eigen::Vector3d& by) {
+    const std::lock_guard lock(mutex_);
+    base_.transform.pretranslate(by);
+    pose_.pretranslate(by);
+  }
   /// Says that it hangs with its base turned about the x axis of its poses, so that the third slide
   /// of its gantry goes downward.
   void hangUpsideDown() {
