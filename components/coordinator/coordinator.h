@@ -9,6 +9,7 @@
 #include <chrono>
 
 #include "coordinator/emergency_stop.suture.h"
+#include "timing/cycle_watch.h"
 
 namespace robots {
 
@@ -18,7 +19,9 @@ struct SUTURE_TYPE() CoordinatorParameters {
 };
 
 /// Permits drives to have power until somebody presses the stop. It starts pressed, because one
-/// that is started again does not know if it was pressed: an operator releases it.
+/// that is started again does not know if it was pressed: an operator releases it. For the same
+/// reason it is pressed when it goes on after a suspension, or after a pause in which the commands
+/// of its clients may have been lost.
 class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public EmergencyStop {
  public:
   explicit Coordinator(const CoordinatorParameters& parameters);
@@ -28,12 +31,15 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
   Permit permit() const override { return permit_; }
 
   void run() override;
-  void onStart() override { set(true); }
-  void onRestart() override { set(true); }
+  void onStart() override { begin(); }
+  void onRestart() override { begin(); }
+  void onResume() override { begin(); }
 
  private:
+  void begin();
   void set(bool pressed);
 
+  CycleWatch cycles_;
   bool pressed_ = true;
   bool wasPressed_ = true;  // since the last permit
   Permit permit_;

@@ -11,8 +11,10 @@ namespace robots {
 /// again, so it must not go on as if nothing had happened.
 class CycleWatch {
  public:
-  /// Call this once a cycle. Returns true if the last cycle was longer ago than `most`, or there
-  /// was none.
+  /// Says that the cycles begin now, so that the first is not late.
+  void begin() { last_ = suture::now(); }
+  /// Call this once a cycle. Returns true if the last cycle was longer ago than `most`, or none
+  /// has begun.
   bool missed(suture::Duration most) {
     const suture::Time now = suture::now();
     return now - std::exchange(last_, now) > most;

@@ -38,7 +38,7 @@ class Broken(unittest.TestCase):
 class Vision(Broken):
     def test_the_emergency_stop_of_twenty_processes(self):
         held = self.run_and_break("--topology", "fig3b_tasks", "--network", "unix", "--rate", "200", "--seconds", "12",
-                                  "--break", "coordinator@7s+1500ms")
+                                  "--break", "coordinator@7s+1200ms")
         self.assertEqual(held, {"psm1:PSM1", "psm2:PSM2"})
 
     def test_cameras(self):

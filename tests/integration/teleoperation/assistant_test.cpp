@@ -4,6 +4,7 @@
 #include <suture/component/device.h>
 #include <suture/manager/manager.h>
 
+#include <array>
 #include <chrono>
 
 #include "assistant/assistant.h"
@@ -62,11 +63,12 @@ class AssistantTest : public testing::Test {
     manager_.connect("Assistant/Console", "Console/Console");
     manager_.connect("Bystander/Console", "Console/Console");
   }
-  /// Makes the permit of the drives lapse, as a machine does that stands still.
+  /// Makes the permit of the drives lapse, as a cable does that is cut for a moment.
   void letPermitLapse() {
-    manager_.suspend("Coordinator");
+    constexpr std::array kDrives{"MTMDrives/Stop", "PSMDrives/Stop"};
+    for (const char* const one : kDrives) manager_.disconnect(one);
     pass(100ms);
-    manager_.resume("Coordinator");
+    for (const char* const one : kDrives) manager_.connect(one, "Coordinator/Stop");
   }
   void pressAndRelease() {
     ASSERT_TRUE(bystander_.button.press());
@@ -158,6 +160,18 @@ TEST_F(AssistantTest, KeepsAStopThatAnotherHasPressedToo) {
   ASSERT_TRUE(bystander_.button.press());
   pass(10s);
   EXPECT_FALSE(mayHavePower());
+}
+
+TEST_F(AssistantTest, LeavesTheStopOfACoordinatorThatGoesOn) {
+  start(0s);
+  ASSERT_TRUE(until([this] { return follows(); }));
+  manager_.suspend("Coordinator");
+  ASSERT_FALSE(bystander_.button.press()) << "it cannot take a command";
+  manager_.resume("Coordinator");
+  pass(10s);
+  EXPECT_FALSE(mayHavePower() || follows());
+  ASSERT_TRUE(bystander_.button.release());
+  EXPECT_TRUE(until([this] { return follows(); }));
 }
 
 TEST_F(AssistantTest, EnablesAgainWhatStoppedByItselfButNotAtOnce) {

@@ -145,6 +145,7 @@ TEST_F(ConsoleTest, BelievesAPartAgainThatWasSuspended) {
     manager_.suspend(one);
     EXPECT_TRUE(becomes(ConsoleState::Incomplete)) << one;
     manager_.resume(one);
+    release();
     EXPECT_TRUE(onlooker_.teleop.enable());
     EXPECT_TRUE(becomes(ConsoleState::Up)) << one;
   }

@@ -201,6 +201,33 @@ TEST_P(StopAcross, StopsDrivesWhoseCoordinatorStandsStill) {
   EXPECT_TRUE(allAre(ArmState::Disabled));
 }
 
+TEST_P(StopAcross, IsPressedAfterASuspensionInWhichNobodyCouldPressIt) {
+  beginMoving();
+  desksProcess_.run([this] { desk_.suspend("Coordinator"); });
+  pass(50ms);
+  EXPECT_FALSE(panel_.button.press()) << "it cannot take a command";
+  desksProcess_.run([this] { desk_.resume("Coordinator"); });
+  pass(50ms);
+  EXPECT_TRUE(all(DrivePower::Stopped));
+  EXPECT_TRUE(panel_.button.release());
+  pass(50ms);
+  EXPECT_TRUE(all(DrivePower::Off)) << "an operator has decided it";
+}
+
+TEST_P(StopAcross, IsPressedAfterAPauseInWhichAPressMayBeLost) {
+  beginMoving();
+  desksProcess_.freeze();
+  pass(1550ms);
+  desksProcess_.thaw();
+  pass(50ms);
+  EXPECT_FALSE(coordinator_.permit().granted);
+  pass(2s);
+  EXPECT_TRUE(all(DrivePower::Stopped));
+  EXPECT_TRUE(panel_.button.release());
+  pass(50ms);
+  EXPECT_TRUE(all(DrivePower::Off)) << "an operator has decided it";
+}
+
 TEST_P(StopAcross, StopsDrivesThatAreDisconnected) {
   beginMoving();
   rightsProcess_.run([this] { right_.disconnect("PSM1Drives/Stop"); });

@@ -110,7 +110,7 @@ struct StopButton final : suture::Device {
   suture::Required<EmergencyStop> stop{*this, "Stop"};
 };
 
-// A coordinator that hangs takes the slave's power, and gives it back when it goes on.
+// A coordinator that is suspended takes the slave's power.
 TEST(Teleop, LeavesAnArmDisabledWhosePermitLapsed) {
   Coordinator coordinator{CoordinatorParameters{}};
   StopButton button;
@@ -126,6 +126,7 @@ TEST(Teleop, LeavesAnArmDisabledWhosePermitLapsed) {
   station.manager.suspend("Coordinator");
   ASSERT_TRUE(suture::eventually([&] { return slaveState(station) == ArmState::Disabled; }));
   station.manager.resume("Coordinator");
+  ASSERT_TRUE(suture::eventually([&] { return button.stop.release().has_value(); }));
   ASSERT_TRUE(
       suture::eventually([&] { return station.psm.drives.feedback().power == DrivePower::Off; }));
   ASSERT_TRUE(cyclesPass(station.teleop, 500));
