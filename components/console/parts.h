@@ -77,8 +77,13 @@ class ArmPart {
   /// disabled.
   bool hasLostPower() { return std::exchange(lostPower_, false); }
 
-  /// Says that a bring-up begins, or goes on after a pause.
+  /// Says that a bring-up begins.
   void begin() { hasMoved_ = false; }
+  /// Says that a pause of the machine ends, which has stopped the arm if it was busy. One that was
+  /// not busy when the pause began may have been stopped by somebody.
+  void goOn() { hasMoved_ = hasMoved_ && !wasBusy_; }
+  /// Call this at the end of each cycle.
+  void endCycle() { wasBusy_ = busy_; }
   void enable() { (void)arm_.enable(); }
   /// Asks the arm to home. One that has begun to move is not asked again, because somebody may have
   /// stopped it.
@@ -94,6 +99,7 @@ class ArmPart {
   bool homed_ = false;
   bool busy_ = false;
   bool hasMoved_ = false;  // since the bring-up began
+  bool wasBusy_ = false;   // at the end of the last cycle
   bool lostPower_ = false;
   bool wasCutOff_ = false;  // while it was enabled, and it has said nothing since
 };

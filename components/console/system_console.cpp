@@ -119,9 +119,14 @@ void SystemConsole::nameMissing(std::string_view name, std::string_view what) {
 void SystemConsole::run() {
   look();
   if (cycles_.missed(kPause)) {
-    for (ArmPart* one : arms_) one->begin();  // so that they are asked to home again
+    for (ArmPart* one : arms_) one->goOn();  // so that they are asked to home again
   }
   tellLostPower();
+  takeStep();
+  for (ArmPart* one : arms_) one->endCycle();
+}
+
+void SystemConsole::takeStep() {
   switch (state_) {
     case ConsoleState::Down:
       if (byItself_ && missing().empty()) bring_up();

@@ -57,6 +57,7 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   std::string_view missing();
   void nameMissing(std::string_view name, std::string_view what);
   void tellLostPower();
+  void takeStep();
   void enableNext();
   void awaitHome();
   void enableMovers();

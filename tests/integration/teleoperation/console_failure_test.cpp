@@ -60,6 +60,20 @@ TEST_F(ConsoleTest, HomesAnArmAgainThatAPauseOfTheMachineStopped) {
   EXPECT_EQ(onlooker_.errors, Names{});
 }
 
+TEST_F(ConsoleTest, DoesNotHomeAHeldArmAgainAfterAPauseOfItsOwn) {
+  begin();
+  bringUpUntil(ConsoleState::Homing);
+  ASSERT_TRUE(suture::clockOfTest().until([&] { return slave_.arm.operating_state().is_busy; }));
+  EXPECT_TRUE(onlooker_.slave.hold());
+  pass(100ms);
+  manager_.suspend("Console");
+  pass(200ms);
+  manager_.resume("Console");
+  pass(1s);
+  EXPECT_FALSE(slave_.arm.operating_state().is_busy) << "somebody has stopped it";
+  expectTakenBack("PSM2 is not homed after the console's patience");
+}
+
 TEST_F(ConsoleTest, EndsBringingUpWhenAnArmIsDisabledMeanwhile) {
   begin();
   bringUpUntil(ConsoleState::Homing);
