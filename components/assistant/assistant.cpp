@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <utility>
 
 #include "arm/arm_warning.h"
 #include "parameters/valid_time.h"
@@ -38,7 +37,7 @@ Assistant::Assistant(const AssistantParameters& parameters)
 void Assistant::run() {
   const suture::Time now = suture::now();
   followScript(now);
-  if (pressed_) return;
+  if (!isReleased()) return;
   bringUpAgain(now);
   attend(left_, leftWaits_, now);
   attend(right_, rightWaits_, now);
@@ -46,8 +45,8 @@ void Assistant::run() {
 }
 
 void Assistant::hear(const StopNews& news) {
-  const bool wasPressed = std::exchange(pressed_, news.pressed);
-  if (news.pressed && !wasPressed) losePower();
+  if (news.pressed && isReleased()) losePower();
+  stopNews_ = news;
   if (news.pressed) {
     ++pressesHeard_;
   } else {
@@ -76,16 +75,18 @@ void Assistant::followScript(suture::Time now) {
   const suture::Duration since = now - stepped_;
   switch (step_) {
     case Step::Begin:
-      if (!pressed_)
+      if (!stopNews_) return;
+      if (isReleased())
         return enter(parameters_.press_after > suture::Duration{0} ? Step::Watch : Step::Done, now);
+      if (!stopNews_->is_start) return enter(Step::Done, now);  // somebody has pressed it
       if (mayAskAgain(now)) (void)stop_.release();
       return;
     case Step::Watch:
-      if (since < parameters_.press_after || pressed_) return;
+      if (since < parameters_.press_after || isPressed()) return;
       if (stop_.press()) enter(Step::Pressed, now);
       return;
     case Step::Pressed:
-      if (pressesHeard_ > 1 || (pressesHeard_ == 1 && !pressed_)) return enter(Step::Done, now);
+      if (pressesHeard_ > 1 || (pressesHeard_ == 1 && isReleased())) return enter(Step::Done, now);
       if (since < parameters_.release_after) return;
       if (pressesHeard_ == 0) return enter(Step::Done, now);  // the press has not arrived
       if (mayAskAgain(now)) (void)stop_.release();
@@ -128,7 +129,7 @@ void Assistant::tell(Waiting& waiting, bool waits) const {
   if (!waits) return;
   const suture::Time now = suture::now();
   waiting.since = now;
-  waiting.lostPower = pressed_ || now - lost_ <= kSameCause;
+  waiting.lostPower = isPressed() || now - lost_ <= kSameCause;
 }
 
 }  // namespace robots

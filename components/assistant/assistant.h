@@ -29,13 +29,13 @@ struct SUTURE_TYPE() AssistantParameters {
   suture::Duration patience = std::chrono::milliseconds(500);
 };
 
-/// Releases the stop that it finds pressed when it starts, because a coordinator starts pressed,
-/// and presses and releases it once by the script. Later it releases no stop that somebody else has
-/// pressed, and does not press one more. It enables what waits for its arms because they lost their
-/// power: by a stop, or as a console says by drives that stopped by themselves. For each loss it
-/// does so once. For the same reason it brings a system up again that goes down before it was up.
-/// It leaves alone what waits for another reason, such as an arm in FAULT, or one that somebody has
-/// disabled or unhomed.
+/// Releases the stop with which a coordinator starts, if it finds that pressed when it starts
+/// itself, and presses and releases it once by the script. Later it releases no stop that somebody
+/// else has pressed, and does not press one more. It enables what waits for its arms because they
+/// lost their power: by a stop, or as a console says by drives that stopped by themselves. For each
+/// loss it does so once. For the same reason it brings a system up again that goes down before it
+/// was up. It leaves alone what waits for another reason, such as an arm in FAULT, or one that
+/// somebody has disabled or unhomed.
 class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
  public:
   /// Throws suture::SetupError for a time that is not from 1 ms to a day; press_after may be 0.
@@ -63,6 +63,8 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
   template <class Contract>
   void attend(suture::Required<Contract>& one, Waiting& waiting, suture::Time now);
   void bringUpAgain(suture::Time now);
+  bool isPressed() const { return stopNews_ && stopNews_->pressed; }
+  bool isReleased() const { return stopNews_ && !stopNews_->pressed; }
   bool hasWaited(const Waiting& waiting, suture::Time now) const;
   void tell(Waiting& waiting, bool waits) const;
 
@@ -74,14 +76,14 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
   SUTURE_REQUIRED(optional()) suture::Required<Guidance> guidance_{*this, "Guidance"};
 
   Step step_ = Step::Begin;
-  suture::Time stepped_;       // when this step began
-  suture::Time asked_;         // when it last asked for what ends this step
-  bool pressed_ = true;        // by anybody
-  suture::Time released_;      // when that was released last
-  suture::Time lost_;          // when power was lost last
-  unsigned pressesHeard_ = 0;  // since it has pressed itself
-  bool isDown_ = false;        // the system
-  bool wasUp_ = false;         // the system, at any time
+  suture::Time stepped_;              // when this step began
+  suture::Time asked_;                // when it last asked for what ends this step
+  std::optional<StopNews> stopNews_;  // the last, of anybody; none before the first
+  suture::Time released_;             // when that was released last
+  suture::Time lost_;                 // when power was lost last
+  unsigned pressesHeard_ = 0;         // since it has pressed itself
+  bool isDown_ = false;               // the system
+  bool wasUp_ = false;                // the system, at any time
   Waiting consoleWaits_, leftWaits_, rightWaits_, guidanceWaits_;
 };
 

@@ -22,17 +22,17 @@ void Coordinator::run() {
 }
 
 // Nobody could press it until now.
-void Coordinator::begin() {
+void Coordinator::begin(bool isStart) {
   cycles_.begin();
-  set(true);
+  set(true, isStart);
 }
 
 // Emits the event at once, so that it does not wait for the next permit, and even if nothing
 // changes, so that a client that missed one is corrected.
-void Coordinator::set(bool pressed) {
+void Coordinator::set(bool pressed, bool isStart) {
   pressed_ = pressed;
   wasPressed_ = wasPressed_ || pressed;
-  stop_.emit().stop({pressed, suture::now()});
+  stop_.emit().stop({pressed, suture::now(), isStart});
 }
 
 }  // namespace robots

@@ -31,13 +31,13 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
   Permit permit() const override { return permit_; }
 
   void run() override;
-  void onStart() override { begin(); }
-  void onRestart() override { begin(); }
-  void onResume() override { begin(); }
+  void onStart() override { begin(true); }
+  void onRestart() override { begin(true); }
+  void onResume() override { begin(false); }
 
  private:
-  void begin();
-  void set(bool pressed);
+  void begin(bool isStart);
+  void set(bool pressed, bool isStart = false);
 
   CycleWatch cycles_;
   bool pressed_ = true;

@@ -19,6 +19,8 @@ struct SUTURE_TYPE() Permit {
 struct SUTURE_TYPE() StopNews {
   bool pressed = false;
   suture::Time stamp;
+  /// Is true if nobody has pressed it: the coordinator has just started, and starts pressed.
+  bool is_start = false;
 };
 
 /// Commands run in the coordinator's thread before its next cycle.

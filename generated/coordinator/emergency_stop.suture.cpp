@@ -20,6 +20,7 @@ static_assert(std::is_same_v<decltype(Permit::granted), bool>);
 static_assert(std::is_same_v<decltype(Permit::stamp), std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(StopNews::pressed), bool>);
 static_assert(std::is_same_v<decltype(StopNews::stamp), std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(StopNews::is_start), bool>);
 
 }  // namespace
 
@@ -43,12 +44,14 @@ bool store(const StopNews& value, StopNewsSlot& slot) {
   bool fits = true;
   fits &= store(value.pressed, slot.pressed);
   fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.is_start, slot.is_start);
   return fits;
 }
 
 void load(const StopNewsSlot& slot, StopNews& value) {
   load(slot.pressed, value.pressed);
   load(slot.stamp, value.stamp);
+  load(slot.is_start, value.is_start);
 }
 
 void shiftStamps(StopNewsSlot& slot, suture::Duration shift) {
@@ -93,7 +96,7 @@ constexpr suture::EventInfo kEmergencyStopEvents[] = {
 constexpr char kEmergencyStopDescription[] = R"json(
 {"name": "robots::EmergencyStop",
 "doc": "Commands run in the coordinator's thread before its next cycle.",
-"hash": "5d19bb3881b9132f6effe3d313d4f668", "commands": [{"name": "press", "kind": "void",
+"hash": "50c8bfadaa7218487ad53fee14239de1", "commands": [{"name": "press", "kind": "void",
 "ordinal": 1, "doc": "Stops all drives. None has power until release().", "queue": 16}, {
 "name": "release", "kind": "void", "ordinal": 2,
 "doc": "Lets drives have power again, which an operator must have decided. Arms stay disabled until\nsomebody enables them, such as a console that brings its system up by itself.",
@@ -108,7 +111,9 @@ constexpr char kEmergencyStopDescription[] = R"json(
 "doc": "Is the cycle in which it was renewed.", "type": {"kind": "time", "clock": "steady"}}]}, {
 "name": "robots::StopNews", "doc": "Says that the emergency stop was pressed, or released.",
 "fields": [{"name": "pressed", "type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
-"type": {"kind": "time", "clock": "steady"}}]}], "wire": [{"id": "@0x85a101cfc49eccfc",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "is_start", "wire": "isStart",
+"doc": "Is true if nobody has pressed it: the coordinator has just started, and starts pressed.",
+"type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x85a101cfc49eccfc",
 "kind": "interface", "name": "EmergencyStop", "cxx": "robots::EmergencyStop", "members": [{"at": 0,
 "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xd5baa187cf46a24d"}, {
 "at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
@@ -127,7 +132,8 @@ constexpr char kEmergencyStopDescription[] = R"json(
 "id": "@0xd02fe436dab69cbc", "kind": "struct", "name": "Permit", "members": [{"at": 0,
 "name": "granted", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
 "id": "@0xcd5512b8a090183f", "kind": "struct", "name": "StopNews", "members": [{"at": 0,
-"name": "pressed", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
+"name": "pressed", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}, {
+"at": 2, "name": "isStart", "is": "Bool"}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -138,7 +144,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::EmergencyStop>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::EmergencyStop",
-      .hash = "5d19bb3881b9132f6effe3d313d4f668",
+      .hash = "50c8bfadaa7218487ad53fee14239de1",
       .description = robots::kEmergencyStopDescription,
       .commands = robots::kEmergencyStopCommands,
       .events = robots::kEmergencyStopEvents,

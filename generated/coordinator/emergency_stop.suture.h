@@ -28,8 +28,9 @@ void shiftStamps(PermitSlot& slot, suture::Duration shift);
 
 /// Says that the emergency stop was pressed, or released.
 struct StopNewsSlot {
-  std::uint8_t pressed;  // bool
-  std::int64_t stamp;    // suture::Time, ns
+  std::uint8_t pressed;   // bool
+  std::int64_t stamp;     // suture::Time, ns
+  std::uint8_t is_start;  // bool
 };
 
 bool store(const StopNews& value, StopNewsSlot& slot);

@@ -27,11 +27,13 @@ suture::Errc fromWire(wire::Permit::Reader in, PermitSlot& slot, suture::Duratio
 void toWire(const StopNewsSlot& slot, wire::StopNews::Builder out) {
   out.setPressed(slot.pressed != 0);
   out.setStamp(slot.stamp);
+  out.setIsStart(slot.is_start != 0);
 }
 
 suture::Errc fromWire(wire::StopNews::Reader in, StopNewsSlot& slot, suture::Duration shift) {
   slot.pressed = in.getPressed();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.is_start = in.getIsStart();
   return suture::Errc{};
 }
 

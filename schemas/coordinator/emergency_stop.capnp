@@ -21,6 +21,8 @@ struct StopNews @0xcd5512b8a090183f $Meta.cxx("robots::StopNews") {
 
   pressed @0 :Bool;
   stamp @1 :Int64 $Meta.clock("steady");
+  isStart @2 :Bool $Meta.cxx("is_start");
+  # Is true if nobody has pressed it: the coordinator has just started, and starts pressed.
 }
 
 interface EmergencyStop @0x85a101cfc49eccfc $Meta.cxx("robots::EmergencyStop") {

@@ -32,9 +32,12 @@ class AssistantTest : public testing::Test {
  protected:
   ~AssistantTest() override { manager_.stop(); }
 
+  static AssistantParameters scripted(suture::Duration pressAfter) {
+    return {.press_after = pressAfter, .release_after = 1s};
+  }
   /// Starts it; it never presses if `pressAfter` is zero.
   void start(suture::Duration pressAfter) {
-    assistant_.emplace(AssistantParameters{.press_after = pressAfter, .release_after = 1s});
+    assistant_.emplace(scripted(pressAfter));
     manager_.add("Coordinator", coordinator_);
     master_.addTo(manager_, "MTM");
     slave_.addTo(manager_, "PSM");
@@ -70,6 +73,15 @@ class AssistantTest : public testing::Test {
     pass(100ms);
     for (const char* const one : kDrives) manager_.connect(one, "Coordinator/Stop");
   }
+  /// Starts one more, which knows as little of what happened as one that is started again.
+  void startAnother(suture::Duration pressAfter) {
+    another_.emplace(scripted(pressAfter));
+    manager_.add("Another", *another_);
+    manager_.start();
+    manager_.connect("Another/Left", "Teleop/Teleoperation");
+    pass(100ms);
+    manager_.connect("Another/Stop", "Coordinator/Stop");
+  }
   void pressAndRelease() {
     ASSERT_TRUE(bystander_.button.press());
     pass(1s);
@@ -101,7 +113,7 @@ class AssistantTest : public testing::Test {
   DrivenPsm slave_{30ms};
   Teleop teleop_{TeleopParameters{}};
   Bystander bystander_;
-  std::optional<Assistant> assistant_;
+  std::optional<Assistant> assistant_, another_;
   std::optional<SystemConsole> console_;
   suture::Manager manager_{"workstation"};
 };
@@ -172,6 +184,40 @@ TEST_F(AssistantTest, LeavesTheStopOfACoordinatorThatGoesOn) {
   EXPECT_FALSE(mayHavePower() || follows());
   ASSERT_TRUE(bystander_.button.release());
   EXPECT_TRUE(until([this] { return follows(); }));
+}
+
+TEST_F(AssistantTest, LeavesTheStopThatAnotherPressedBeforeItWasStarted) {
+  start(0s);
+  ASSERT_TRUE(until([this] { return follows(); }));
+  ASSERT_TRUE(bystander_.button.press());
+  pass(100ms);
+  startAnother(2s);
+  pass(10s);
+  EXPECT_FALSE(mayHavePower() || follows());
+  ASSERT_TRUE(bystander_.button.release());
+  pass(10s);
+  EXPECT_TRUE(mayHavePower() && follows()) << "its script is over, and the first one enables";
+}
+
+TEST_F(AssistantTest, LeavesTheStopOfACoordinatorThatWentOnBeforeItWasStarted) {
+  start(0s);
+  ASSERT_TRUE(until([this] { return follows(); }));
+  manager_.suspend("Coordinator");
+  pass(100ms);
+  manager_.resume("Coordinator");
+  startAnother(0s);
+  pass(10s);
+  EXPECT_FALSE(mayHavePower() || follows());
+}
+
+TEST_F(AssistantTest, EnablesNothingBeforeItHasHeardOfTheStop) {
+  start(0s);
+  ASSERT_TRUE(until([this] { return follows(); }));
+  ASSERT_TRUE(bystander_.slave.disable());
+  ASSERT_TRUE(until([this] { return !follows(); }));
+  startAnother(0s);
+  pass(10s);
+  EXPECT_EQ(slaveState(), ArmState::Disabled) << "a person has disabled it";
 }
 
 TEST_F(AssistantTest, EnablesAgainWhatStoppedByItselfButNotAtOnce) {
