@@ -173,10 +173,13 @@ class Network::Impl {
     control_.run(kLocalWork, [this] {
       connections_.clear();
       sessions_.reset();
-      host_.reset();
-      link_.reset();
-      givenUp_ = nullptr;
-      giveUp_ = nullptr;
+      if (host_ != nullptr) host_->hangUp();
+      return kj::evalLast([this] {
+        host_.reset();
+        link_.reset();
+        givenUp_ = nullptr;
+        giveUp_ = nullptr;
+      });
     });
     for (const auto& lane : lanes_) lane->stop();
   }

@@ -1,6 +1,8 @@
 #include <suture/session/provider/peer_host.h>
 #include <suture/session/provider/peer_server.h>
 
+#include <utility>
+
 namespace suture {
 namespace {
 
@@ -28,9 +30,9 @@ PeerHost::PeerHost(rpc::ControlThread& control, const Lanes& lanes, const Direct
       secondSockets_(kMostSecondSockets),
       refusals_(directory.process()),
       server_(
-          control.port(), address,
+          std::in_place, control.port(), address,
           [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); },
-          refusals_, {}, kMostCallers, security.trust(),
+          refusals_, rpc::StreamLimits{}, kMostCallers, security.trust(),
           [this](const rpc::Token& token, rpc::ByteStream bytes) {
             sockets_.arrived(token, kj::mv(bytes));
           }) {

@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,14 @@ class PeerHost {
            Network::ServerOf serverOf, Network::TaskOf taskOf, const rpc::Address& address,
            const Security& security, std::uint64_t incarnation);
 
-  const rpc::Address& address() const { return server_.address(); }
+  const rpc::Address& address() const { return server_->address(); }
 
   /// Says that all components are in the directory: what is not there now does not exist.
   void publish() { published_->fulfill(); }
+
+  /// Listens no more, and ends all links; address() is gone. Cap'n Proto cancels the calls that
+  /// wait here in the next turns of the loop, so this must live until then.
+  void hangUp() { server_.reset(); }
 
   /// Any thread. Returns how many peers and requests this process has refused.
   rpc::Refusals::Summary refusals() const { return refusals_.summary(); }
@@ -102,7 +107,7 @@ class PeerHost {
   AwaitedSockets sockets_;
   Places secondSockets_;  // of all sessions, those that are awaited included
   rpc::Refusals refusals_;
-  rpc::LinkServer server_;  // last: its links use the rest
+  std::optional<rpc::LinkServer> server_;  // last: its links use the rest
 };
 
 }  // namespace suture
