@@ -21,7 +21,7 @@ void Coordinator::run() {
   permit_ = {!pressed_ && !std::exchange(wasPressed_, false), suture::now()};
 }
 
-// Nobody could press it until now.
+// The stop begins pressed, because nobody could press it until now.
 void Coordinator::begin(bool isStart) {
   cycles_.begin();
   set(true, isStart);

@@ -54,7 +54,7 @@ class Ending(Stations):
                                    "--seconds", "3")
         self.assertEqual(json.loads(station.stdout.readline())["kind"], "started")
         station.send_signal(signal.SIGSTOP)
-        time.sleep(2)
+        time.sleep(2)  # the pause itself: another process follows no stepped clock
         station.send_signal(signal.SIGCONT)
         reports = station.communicate(timeout=60)[0].splitlines()
         # It has run for 1 s at most.
