@@ -39,6 +39,12 @@ TEST(Deployment, OneProcessNeedsNoManagerAndNoNames) {
   EXPECT_EQ(deployment.connections()[0].from.toString(), "all:a/X");
 }
 
+/// `told` is how the only problem begins.
+void expectOneThatBegins(const std::vector<std::string>& problems, const std::string& told) {
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(problems[0].starts_with(told)) << problems[0];
+}
+
 // The global manager, of which the file may know nothing, refuses the same names.
 TEST(Deployment, NamesOfProcessesAreCheckedWithoutAManager) {
   const auto problemsWith = [](const std::string& name) {
@@ -50,12 +56,11 @@ TEST(Deployment, NamesOfProcessesAreCheckedWithoutAManager) {
        {std::string(), std::string("a b"), std::string("a\\tb"), std::string("a\\nb"),
         std::string("a\\u0000b"), std::string("a\\u001bb"), std::string("a\\u007f"),
         std::string("a:b"), std::string("a/b"), longest + "a"}) {
-    const auto problems = problemsWith(name);
-    ASSERT_EQ(problems.size(), 1u) << name;
-    EXPECT_TRUE(problems[0].starts_with(
+    SCOPED_TRACE(name);
+    expectOneThatBegins(
+        problemsWith(name),
         "d.json:1: error: expected a name of 1 to 100 characters, none of them ':', '/', a space "
-        "or a control character, given to the program as --process; found string "))
-        << problems[0];
+        "or a control character, given to the program as --process; found string ");
   }
 }
 
@@ -63,14 +68,12 @@ TEST(Deployment, NamesOfProcessesAreCheckedWithoutAManager) {
 TEST(Deployment, NamesOfComponentsAreThoseThatAProcessTakes) {
   for (const std::string name :
        {"", "a b", "a:b", "a/b", "a->b", "a\\tb", "a\\nb", "a\\n->b", "a\\u0000b", "a\\u001bb"}) {
-    const auto problems =
+    SCOPED_TRACE(name);
+    expectOneThatBegins(
         problemsOf(R"({"processes": [{"name": "p", "components": [{"class": "C", "name": ")" +
-                   name + R"("}]}]})");
-    ASSERT_EQ(problems.size(), 1u) << name;
-    EXPECT_TRUE(problems[0].starts_with(
+                   name + R"("}]}]})"),
         "d.json:1: error: expected a name without ':', '/', '->', spaces and control characters, "
-        "unique in its process; found string "))
-        << problems[0];
+        "unique in its process; found string ");
   }
 }
 
