@@ -38,9 +38,7 @@ TEST_F(ConsoleTest, AStopEndsTheBringUpForGood) {
 }
 
 TEST_F(ConsoleTest, DoesNotHomeAHeldArmAgain) {
-  begin();
-  bringUpUntil(ConsoleState::Homing);
-  ASSERT_TRUE(suture::clockOfTest().until([&] { return slave_.arm.operating_state().is_busy; }));
+  ASSERT_TRUE(slaveHomes());
   EXPECT_TRUE(onlooker_.slave.hold());
   pass(2s);
   EXPECT_FALSE(slave_.arm.operating_state().is_busy);
@@ -49,9 +47,7 @@ TEST_F(ConsoleTest, DoesNotHomeAHeldArmAgain) {
 
 // An arm that has not run for a while holds, and nobody has asked it to.
 TEST_F(ConsoleTest, HomesAnArmAgainThatAPauseOfTheMachineStopped) {
-  begin();
-  bringUpUntil(ConsoleState::Homing);
-  ASSERT_TRUE(suture::clockOfTest().until([&] { return slave_.arm.operating_state().is_busy; }));
+  ASSERT_TRUE(slaveHomes());
   for (const char* const one : {"Console", "PSM2"}) manager_.suspend(one);
   pass(200ms);
   for (const char* const one : {"PSM2", "Console"}) manager_.resume(one);
@@ -61,9 +57,7 @@ TEST_F(ConsoleTest, HomesAnArmAgainThatAPauseOfTheMachineStopped) {
 }
 
 TEST_F(ConsoleTest, DoesNotHomeAHeldArmAgainAfterAPauseOfItsOwn) {
-  begin();
-  bringUpUntil(ConsoleState::Homing);
-  ASSERT_TRUE(suture::clockOfTest().until([&] { return slave_.arm.operating_state().is_busy; }));
+  ASSERT_TRUE(slaveHomes());
   EXPECT_TRUE(onlooker_.slave.hold());
   pass(100ms);
   manager_.suspend("Console");

@@ -107,6 +107,12 @@ class ConsoleTest : public testing::Test {
     bringUp();
     ASSERT_TRUE(becomes(wanted));
   }
+  /// The slave is on its way home, as the console has asked it to be.
+  bool slaveHomes() {
+    begin();
+    bringUpUntil(ConsoleState::Homing);
+    return suture::clockOfTest().until([&] { return slave_.arm.operating_state().is_busy; });
+  }
   /// The console gives up for that reason, and disables what it has enabled.
   void expectTakenBack(const std::string& why) {
     ASSERT_TRUE(becomes(ConsoleState::Down));
