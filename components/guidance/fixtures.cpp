@@ -78,15 +78,21 @@ Vector3d KnotFixtures::outward(int plane) const {
   return std::cos(angle) * across_[0] + std::sin(angle) * across_[1];
 }
 
-void KnotFixtures::forbidHaste(double seconds, Constraints& constraints) const {
+// What a fixture takes from one tip would else be made good by the other, whose operator rests.
+void KnotFixtures::forbidHaste(const TipPair& desired, double seconds,
+                               Constraints& constraints) const {
   const Vector3d none = Vector3d::Zero();
+  const double left = std::min(model_.speed * seconds, desired.left.norm());
+  const double right = std::min(model_.speed * seconds, desired.right.norm());
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) {
       const Vector3d direction = sign * Vector3d::Unit(axis);
-      constraints.require(direction, none, -model_.speed * seconds);
-      constraints.require(none, direction, -model_.speed * seconds);
+      constraints.require(direction, none, -left);
+      constraints.require(none, direction, -right);
     }
   }
+  constraints.require(desired.left, none, 0);
+  constraints.require(none, desired.right, 0);
 }
 
 void KnotFixtures::forbidContact(const TipPair& tips, Constraints& constraints) const {
@@ -126,7 +132,7 @@ void KnotFixtures::forbidSliding(const TipPair& tips, const Vector3d& knot,
 TipPair KnotFixtures::constrain(const TipPair& tips, const Vector3d& knot, const TipPair& desired,
                                 double seconds, const RoomPair& rooms) {
   Constraints constraints;
-  forbidHaste(seconds, constraints);
+  forbidHaste(desired, seconds, constraints);
   forbidContact(tips, constraints);
   forbidLeavingCorridor(knot, seconds, constraints);
   forbidSliding(tips, knot, constraints);

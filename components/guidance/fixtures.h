@@ -44,6 +44,7 @@ struct RoomPair {
 ///    cone,
 ///  - the target, which the knot approaches ever slower and does not pass,
 ///  - the tissue, the distance between the tips, and a speed,
+///  - the wish: no tip goes farther than its operator wishes, nor against that,
 ///  - the joints' limits and speeds, as far as the arms say them,
 ///  - the sliding cone: were the strand drawn too steep at one side of the knot and too flat at the
 ///    other, it would run through the knot, which would not move with the tips any more. What the
@@ -73,12 +74,12 @@ class KnotFixtures {
  private:
   static constexpr int kPlanes = 8;
   static constexpr int kUnknowns = 6;
-  static constexpr int kRows = 2 * kUnknowns + 2 + 1 + kPlanes + 1 + 4 * kTipJoints + 2;
+  static constexpr int kRows = 2 * kUnknowns + 2 + 2 + 1 + kPlanes + 1 + 4 * kTipJoints + 2;
   using Program = QuadraticProgram<kUnknowns, kRows>;
   struct Constraints;
 
   Eigen::Vector3d outward(int plane) const;
-  void forbidHaste(double seconds, Constraints& constraints) const;
+  void forbidHaste(const TipPair& desired, double seconds, Constraints& constraints) const;
   void forbidContact(const TipPair& tips, Constraints& constraints) const;
   void forbidLeavingCorridor(const Eigen::Vector3d& knot, double seconds,
                              Constraints& constraints) const;

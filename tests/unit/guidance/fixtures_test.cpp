@@ -99,6 +99,32 @@ TEST_F(Fixtures, OnlyTheOperatorMovesTheKnot) {
   EXPECT_EQ(step.right, Vector3d::Zero());
 }
 
+// The knot goes with the mean of the tips, so either tip could bring it back to the corridor.
+TEST_F(Fixtures, ARestingHandHoldsItsTip) {
+  const Vector3d none = Vector3d::Zero();
+  for (const Vector3d& wish :
+       {Vector3d(1e-4, 0, 0), Vector3d(0, 0, -1e-4), Vector3d(1e-5, 0, 2e-5)}) {
+    place(0.01, Vector3d::Zero());
+    for (int i = 0; i < 1000; ++i) EXPECT_LE(move({wish, none}).right.norm(), 1e-15);
+    for (int i = 0; i < 1000; ++i) EXPECT_LE(move({none, wish}).left.norm(), 1e-15);
+  }
+}
+
+TEST_F(Fixtures, NoTipGoesAgainstItsHand) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> wild(0, 1e-4);
+  const auto any = [&] { return Vector3d(wild(random), wild(random), wild(random)); };
+  place(0.02, Vector3d::Zero());
+  for (int i = 0; i < 20'000; ++i) {
+    const TipPair wish{any(), any()}, step = move(wish);
+    knot_ += step.mean();
+    for (const auto& [wished, made] : {std::pair{wish.left, step.left}, {wish.right, step.right}}) {
+      ASSERT_GE(wished.dot(made), -1e-15) << "in cycle " << i;
+      ASSERT_LE(made.cwiseAbs().maxCoeff(), wished.norm() + 1e-12) << "in cycle " << i;
+    }
+  }
+}
+
 TEST_F(Fixtures, AKnotOutsideOnlyComesBack) {
   place(0.01, {0.02, 0, 0});
   const double before = outOfCorridor();
