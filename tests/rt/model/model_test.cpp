@@ -26,16 +26,15 @@ TEST_P(Model, HoldsInEveryOrder) {
 
 INSTANTIATE_TEST_SUITE_P(
     Parts, Model,
-    testing::Values(Part{"SpscRing", spscRing}, Part{"MpscRing", mpscRing},
-                    Part{"LatestCell", latestCell}, Part{"MailboxOrder", mailboxOrder},
-                    Part{"MailboxCredits", mailboxCredits}, Part{"MailboxRoom", mailboxRoom},
-                    Part{"StateRow", stateRow}, Part{"StateOrder", stateOrder},
-                    Part{"EventQueue", eventQueue}, Part{"EventQueueOfTwo", eventQueueOfTwo},
-                    Part{"EventQueueLarge", eventQueueLarge},
-                    Part{"EventQueueLargeOfOne", eventQueueLargeOfOne},
-                    Part{"EventQueueOfOne", eventQueueOfOne},
-                    Part{"EventQueueLatched", eventQueueLatched}, Part{"Doorbell", doorbell},
-                    Part{"DoorbellForTwo", doorbellForTwo}),
+    testing::Values(
+        Part{"SpscRing", spscRing}, Part{"MpscRing", mpscRing}, Part{"LatestCell", latestCell},
+        Part{"MailboxOrder", mailboxOrder}, Part{"MailboxCredits", mailboxCredits},
+        Part{"MailboxRoom", mailboxRoom}, Part{"StateRow", stateRow},
+        Part{"StateOrder", stateOrder}, Part{"Snapshot", snapshot}, Part{"EventQueue", eventQueue},
+        Part{"EventQueueOfTwo", eventQueueOfTwo}, Part{"EventQueueLarge", eventQueueLarge},
+        Part{"EventQueueLargeOfOne", eventQueueLargeOfOne},
+        Part{"EventQueueOfOne", eventQueueOfOne}, Part{"EventQueueLatched", eventQueueLatched},
+        Part{"Doorbell", doorbell}, Part{"DoorbellForTwo", doorbellForTwo}),
     [](const auto& part) { return std::string(part.param.name); });
 
 }  // namespace

@@ -16,6 +16,7 @@ Run mailboxCredits();
 Run mailboxRoom();
 Run stateRow();
 Run stateOrder();
+Run snapshot();
 Run eventQueue();
 Run eventQueueOfTwo();
 Run eventQueueOfOne();
