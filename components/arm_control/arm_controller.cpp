@@ -337,9 +337,7 @@ typename ArmController<N>::ServoTarget ArmController<N>::withinLimits(const Join
 template <int N>
 void ArmController<N>::servo(const ServoTarget& target, suture::Time goalStamp,
                              const char* activity) {
-  const Joints furthest = model_.servo_horizon * model_.rate_limit;
-  const Joints step = target.q - setpoint();
-  if ((step.cwiseAbs().array() > furthest.array()).any()) return warn(ArmWarning::StepTooFar);
+  if (!setpoint_.mayBePut(target.q, model_.servo_horizon)) return warn(ArmWarning::StepTooFar);
   const bool slid = sliding_;
   followStream(target.q, goalStamp, activity);
   servoing_.ask();

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 
 #include "arm_control/motion/joint_line.h"
 #include "arm_control/motion/joint_move.h"
@@ -39,7 +40,13 @@ class Setpoint {
   /// Changes it at once, to where the joints are at rest.
   void rest(const Joints& joints) {
     joints_ = joints;
+    reached_ = joints;
     rate_.rest(joints);
+  }
+  /// Returns true if joints that keep their rate limits can follow put(goal) with a delay of
+  /// `horizon` seconds at most. Goals that come one after the other may not add up to more.
+  bool mayBePut(const Joints& goal, double horizon) const {
+    return ((goal - reached_).cwiseAbs().array() <= (horizon * limits_.rate).array()).all();
   }
   /// Says which share of their limits moves may use from the next one on.
   void limitMoves(const MoveRatios& ratios) { ratios_ = ratios; }
@@ -93,6 +100,8 @@ class Setpoint {
       reached = t >= move_->duration();
     }
     rate_.update(now, joints_);
+    const Joints most = limits_.rate * secondsBetween(std::exchange(stepped_, now), now);
+    reached_ += (joints_ - reached_).cwiseMin(most).cwiseMax(-most);
     begun_ = false;
     return reached;
   }
@@ -109,6 +118,8 @@ class Setpoint {
   const Limits limits_;
   MoveRatios ratios_;
   Joints joints_ = Joints::Zero();
+  Joints reached_ = Joints::Zero();  // by joints that follow it at their rate limits
+  suture::Time stepped_;
   SetpointRate<N> rate_;
   std::optional<JointMove<N>> move_;
   suture::Time moveStart_;

@@ -144,6 +144,37 @@ TEST_F(LimitsTest, AGoalBeyondOneStepIsRefused) {
   EXPECT_NEAR(setpoint(0), near[0], 1e-9);
 }
 
+// Each goal lies near the one before it.
+TEST_F(LimitsTest, AStreamThatIsFasterThanTheRatesIsRefused) {
+  constexpr double kRate = 4, kHorizon = 0.1;
+  Joints goal = at(0.235);
+  crtk_.servo_jp(toGoal(goal));
+  cycles(1);
+  const double begin = setpoint(0);
+  const suture::Time start = suture::now();
+  for (int i = 0; i < 20; ++i) {
+    goal[0] += 0.03;
+    crtk_.servo_jp(toGoal(goal));
+    cycles(1);
+    const double seconds = secondsBetween(start, suture::now());
+    ASSERT_LE(setpoint(0) - begin, kRate * (seconds + kHorizon) + 1e-9) << "in cycle " << i;
+  }
+  EXPECT_EQ(heard_.warnings.size(), 1u);
+}
+
+TEST_F(LimitsTest, AStreamAtTheRatesIsObeyed) {
+  Joints goal = at(0.235);
+  suture::Time last = suture::now();
+  for (int i = 0; i < 200; ++i) {
+    cycles(1);
+    goal[0] += 3.99 * secondsBetween(std::exchange(last, suture::now()), suture::now());
+    crtk_.servo_jp(toGoal(goal));
+  }
+  cycles(1);
+  EXPECT_NEAR(setpoint(0), goal[0], 1e-9);
+  EXPECT_TRUE(heard_.warnings.empty());
+}
+
 TEST_F(LimitsTest, ATooFarGoalEndsAStream) {
   crtk_.servo_jp(toGoal(at(0.235)));
   cycles(1);
