@@ -29,8 +29,9 @@ class SUTURE_INTERFACE() Console : public suture::Messages {
   /// is down, every part of the system is there, no arm is in FAULT, and the emergency stop is
   /// released.
   SUTURE_COMMAND() virtual void bring_up() = 0;
-  /// Disables everything in the opposite order, even while the system is being brought up. An arm
-  /// in FAULT has no power, and stays in FAULT until somebody enables or disables it.
+  /// Disables everything in the opposite order, even while the system is being brought up, and
+  /// also what others have enabled. An arm in FAULT has no power, and stays in FAULT until somebody
+  /// enables or disables it.
   SUTURE_COMMAND() virtual void bring_down() = 0;
 
   SUTURE_COMMAND() virtual ConsoleState console_state() const = 0;

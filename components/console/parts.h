@@ -68,6 +68,8 @@ class ArmPart {
   bool isThere() const { return hearing_.counts() && state_ != ArmState::Undefined; }
   bool isEnabled() const { return hearing_.counts() && state_ == ArmState::Enabled; }
   bool isHomed() const { return isEnabled() && homed_; }
+  /// Returns true if it knows its position since it homed, though it may have no power by now.
+  bool hasHomed() const { return isThere() && homed_; }
   bool isReady() const { return isHomed() && !busy_; }
   bool isFaulted() const { return hearing_.counts() && state_ == ArmState::Fault; }
   /// Returns true for an arm without power, which may be in FAULT.

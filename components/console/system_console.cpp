@@ -76,9 +76,11 @@ void SystemConsole::bring_up() {
   enter(ConsoleState::Enabling);
 }
 
+// Even a console that is down leaves all parts, because it may have been restarted since they were
+// brought up.
 void SystemConsole::bring_down() {
   byItself_ = false;
-  if (state_ != ConsoleState::Down) enter(ConsoleState::Leaving);
+  enter(ConsoleState::Leaving);
 }
 
 void SystemConsole::look() {
@@ -129,13 +131,29 @@ void SystemConsole::run() {
 void SystemConsole::takeStep() {
   switch (state_) {
     case ConsoleState::Down:
-      if (byItself_ && missing().empty()) bring_up();
+      if (byItself_ && missing().empty()) beginByItself();
       return;
     case ConsoleState::Enabling: return enableNext();
     case ConsoleState::Homing: return awaitHome();
     case ConsoleState::Up:
     case ConsoleState::Incomplete: return watch();
     case ConsoleState::Leaving: return leaveNext();
+  }
+}
+
+// A system that has been up already may have been brought down by somebody, before this console was
+// restarted.
+void SystemConsole::beginByItself() {
+  const auto used =
+      std::find_if(arms_.begin(), arms_.end(), [](const ArmPart* one) { return one->hasHomed(); });
+  if (used == arms_.end()) return bring_up();
+  byItself_ = false;
+  text_.assign((*used)->name()).append(" has homed before this console began; ask for bring_up");
+  messages_.warning(text_);
+  const auto isUp = [](const auto* one) { return !one->isDown(); };
+  if (std::any_of(arms_.begin(), arms_.end(), isUp) ||
+      std::any_of(movers_.begin(), movers_.end(), isUp)) {
+    enter(ConsoleState::Incomplete);
   }
 }
 

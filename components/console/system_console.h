@@ -30,7 +30,8 @@ struct SUTURE_TYPE() SystemConsoleParameters {
   /// Is how long an arm may take to be enabled, all of them to home, and a part to be left.
   suture::Duration patience = std::chrono::seconds(10);
   /// If it is true, the console brings the system up once, without being asked, when everything is
-  /// there.
+  /// there. It does not if an arm has homed before: then the console was restarted, and somebody
+  /// may have brought the system down.
   bool bring_up_by_itself = false;
 };
 
@@ -58,6 +59,7 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   void nameMissing(std::string_view name, std::string_view what);
   void tellLostPower();
   void takeStep();
+  void beginByItself();
   void enableNext();
   void awaitHome();
   void enableMovers();

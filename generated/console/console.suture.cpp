@@ -79,7 +79,7 @@ constexpr char kConsoleDescription[] = R"json(
 "name": "bring_up", "kind": "void", "ordinal": 1, "wire": "bringUp",
 "doc": "Brings the system up. It is refused, with an error that names each reason, unless the console\nis down, every part of the system is there, no arm is in FAULT, and the emergency stop is\nreleased.",
 "queue": 16}, {"name": "bring_down", "kind": "void", "ordinal": 2, "wire": "bringDown",
-"doc": "Disables everything in the opposite order, even while the system is being brought up. An arm\nin FAULT has no power, and stays in FAULT until somebody enables or disables it.",
+"doc": "Disables everything in the opposite order, even while the system is being brought up, and\nalso what others have enabled. An arm in FAULT has no power, and stays in FAULT until somebody\nenables or disables it.",
 "queue": 16}, {"name": "console_state", "kind": "read", "ordinal": 3, "wire": "consoleState",
 "result": {"type": {"kind": "enum", "name": "robots::ConsoleState"}}, "queue": 16}], "events": [{
 "name": "status", "kind": "write", "ordinal": 1,

@@ -63,8 +63,9 @@ class Required<robots::Console> : public Required<suture::Messages> {
   /// released.
   /// Void: up to 16 wait.
   Command<&Contract::bring_up, NoSlot> bring_up{*this, Id::bring_up};
-  /// Disables everything in the opposite order, even while the system is being brought up. An arm
-  /// in FAULT has no power, and stays in FAULT until somebody enables or disables it.
+  /// Disables everything in the opposite order, even while the system is being brought up, and
+  /// also what others have enabled. An arm in FAULT has no power, and stays in FAULT until somebody
+  /// enables or disables it.
   /// Void: up to 16 wait.
   Command<&Contract::bring_down, NoSlot> bring_down{*this, Id::bring_down};
   /// Read: answered at once with what the last cycle left.

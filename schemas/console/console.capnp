@@ -36,8 +36,9 @@ interface Console @0xdf92213fbec2997e extends(Messages.Messages) $Meta.cxx("robo
   # is down, every part of the system is there, no arm is in FAULT, and the emergency stop is
   # released.
   bringDown @2 (sent :Rpc.Sent) -> () $Meta.cxx("bring_down") $Meta.kind("void") $Meta.queue(16);
-  # Disables everything in the opposite order, even while the system is being brought up. An arm
-  # in FAULT has no power, and stays in FAULT until somebody enables or disables it.
+  # Disables everything in the opposite order, even while the system is being brought up, and
+  # also what others have enabled. An arm in FAULT has no power, and stays in FAULT until somebody
+  # enables or disables it.
   consoleState @3 (sent :Rpc.Sent) -> (value :ConsoleState, stamp :Int64)
       $Meta.cxx("console_state") $Meta.kind("read");
 }

@@ -15,5 +15,6 @@ struct SystemConsoleParameters @0xff4a2484b55948bb $Meta.cxx("robots::SystemCons
   # Is how long an arm may take to be enabled, all of them to home, and a part to be left.
   bringUpByItself @3 :Bool $Meta.cxx("bring_up_by_itself");
   # If it is true, the console brings the system up once, without being asked, when everything is
-  # there.
+  # there. It does not if an arm has homed before: then the console was restarted, and somebody
+  # may have brought the system down.
 }

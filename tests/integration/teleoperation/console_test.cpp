@@ -80,6 +80,18 @@ TEST_F(ConsoleTest, BringsUpOnceByItselfWhenEverythingIsThere) {
   EXPECT_EQ(console_->console_state(), ConsoleState::Down) << "somebody wanted it so";
 }
 
+TEST_F(ConsoleTest, BringsDownWhatOthersHaveEnabled) {
+  begin();
+  release();
+  EXPECT_TRUE(onlooker_.master.enable());
+  pass(50ms);
+  ASSERT_EQ(masterState(), ArmState::Enabled);
+  EXPECT_TRUE(onlooker_.console.bring_down());
+  pass(1s);
+  EXPECT_EQ(masterState(), ArmState::Disabled);
+  EXPECT_EQ(console_->console_state(), ConsoleState::Down);
+}
+
 TEST_F(ConsoleTest, HomesAnArmThatWasMovedBeforeTheBringUp) {
   begin();
   release();

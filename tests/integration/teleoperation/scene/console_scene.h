@@ -58,9 +58,15 @@ class ConsoleTest : public testing::Test {
  protected:
   ~ConsoleTest() override { manager_.stop(); }
 
+  static SystemConsoleParameters console(bool byItself) {
+    return {.system = {"MTML", "PSM2", "TeleopL"}, .patience = 3s, .bring_up_by_itself = byItself};
+  }
   void begin(bool byItself = false) {
-    console_.emplace(SystemConsoleParameters{
-        .system = {"MTML", "PSM2", "TeleopL"}, .patience = 3s, .bring_up_by_itself = byItself});
+    add(byItself);
+    start();
+  }
+  void add(bool byItself) {
+    console_.emplace(console(byItself));
     manager_.add("Coordinator", coordinator_);
     master_.addTo(manager_, "MTML");
     slave_.addTo(manager_, "PSM2");
@@ -69,18 +75,25 @@ class ConsoleTest : public testing::Test {
     manager_.add("Onlooker", onlooker_);
     manager_.connect("TeleopL/Master", "MTML/Arm");
     manager_.connect("TeleopL/Slave", "PSM2/Arm");
-    for (const char* const one : {"MTMLDrives", "PSM2Drives", "Onlooker", "Console"}) {
+    for (const char* const one : {"MTMLDrives", "PSM2Drives", "Onlooker"}) {
       manager_.connect(one + std::string("/Stop"), "Coordinator/Stop");
     }
-    manager_.connect("Console/MTML", "MTML/Arm");
-    manager_.connect("Console/PSM2", "PSM2/Arm");
-    manager_.connect("Console/TeleopL", "TeleopL/Teleoperation");
-    manager_.connect("Onlooker/Console", "Console/Console");
+    connectConsole("Console");
     manager_.connect("Onlooker/Master", "MTML/Arm");
     manager_.connect("Onlooker/Slave", "PSM2/Arm");
     manager_.connect("Onlooker/Teleop", "TeleopL/Teleoperation");
+  }
+  void start() {
     manager_.start();
     pass(50ms);
+  }
+  /// The onlooker looks at this console from now on.
+  void connectConsole(const std::string& name) {
+    manager_.connect("Onlooker/Console", name + "/Console");
+    manager_.connect(name + "/Stop", "Coordinator/Stop");
+    manager_.connect(name + "/MTML", "MTML/Arm");
+    manager_.connect(name + "/PSM2", "PSM2/Arm");
+    manager_.connect(name + "/TeleopL", "TeleopL/Teleoperation");
   }
   void release() {
     EXPECT_TRUE(onlooker_.button.release());
