@@ -10,6 +10,12 @@ namespace {
 // meanwhile. It counts from its last heartbeat, which is up to 0.4 s older than the pause.
 constexpr suture::Duration kCommandsMayBeLost = std::chrono::milliseconds(1500);
 
+// A client with a shorter silence loses its connection in a shorter pause. Drives have stopped by
+// then, because their permit lapses in 30 ms.
+constexpr suture::Duration kShortPause = std::chrono::milliseconds(50);
+// The coordinator is told of a client's end so soon after a pause.
+constexpr suture::Duration kToldWithin = std::chrono::seconds(1);
+
 }  // namespace
 
 Coordinator::Coordinator(const CoordinatorParameters& parameters)
@@ -17,8 +23,17 @@ Coordinator::Coordinator(const CoordinatorParameters& parameters)
 
 // A stop that is released in the cycle in which it was pressed withholds one permit all the same.
 void Coordinator::run() {
-  if (cycles_.missed(kCommandsMayBeLost)) set(true);
+  const suture::Duration pause = cycles_.sinceLast();
+  if (pause > kShortPause) pauseCountsUntil_ = suture::now() + kToldWithin;
+  const bool pressMayBeLost =
+      std::exchange(clientIsGone_, false) && suture::now() < pauseCountsUntil_;
+  if (pause > kCommandsMayBeLost || pressMayBeLost) set(true);
   permit_ = {!pressed_ && !std::exchange(wasPressed_, false), suture::now()};
+}
+
+void Coordinator::onClient(const suture::ProvidedBase&, const suture::ConnectedClient&,
+                           suture::ClientNews news) {
+  clientIsGone_ = clientIsGone_ || news != suture::ClientNews::Connected;
 }
 
 // The stop begins pressed, because nobody could press it until now.

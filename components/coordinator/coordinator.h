@@ -21,7 +21,7 @@ struct SUTURE_TYPE() CoordinatorParameters {
 /// Permits drives to have power until somebody presses the stop. It starts pressed, because one
 /// that is started again does not know if it was pressed: an operator releases it. For the same
 /// reason it is pressed when it goes on after a suspension, or after a pause in which the commands
-/// of its clients may have been lost.
+/// of its clients may have been lost: a long one, or one in which a client's connection ended.
 class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public EmergencyStop {
  public:
   explicit Coordinator(const CoordinatorParameters& parameters);
@@ -34,6 +34,8 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
   void onStart() override { begin(true); }
   void onRestart() override { begin(true); }
   void onResume() override { begin(false); }
+  void onClient(const suture::ProvidedBase& interface, const suture::ConnectedClient& client,
+                suture::ClientNews news) override;
 
  private:
   void begin(bool isStart);
@@ -41,7 +43,9 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
 
   CycleWatch cycles_;
   bool pressed_ = true;
-  bool wasPressed_ = true;  // since the last permit
+  bool wasPressed_ = true;           // since the last permit
+  bool clientIsGone_ = false;        // since the last cycle
+  suture::Time pauseCountsUntil_{};  // a client that goes until then may have pressed in a pause
   Permit permit_;
   suture::Provided<EmergencyStop> stop_{*this, "Stop", *this};
 };

@@ -184,7 +184,15 @@ TEST_P(Stop, StopsDrivesWhoseArmHangs) {
 }
 
 /// Runs only where the arms and the coordinator are in different processes.
-class StopAcross : public Stop {};
+class StopAcross : public Stop {
+ protected:
+  void expectStoppedUntilReleased() {
+    EXPECT_TRUE(all(DrivePower::Stopped));
+    EXPECT_TRUE(panel_.button.release());
+    pass(50ms);
+    EXPECT_TRUE(all(DrivePower::Off)) << "an operator has decided it";
+  }
+};
 INSTANTIATE_TEST_SUITE_P(Lanes, StopAcross,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
@@ -208,10 +216,7 @@ TEST_P(StopAcross, IsPressedAfterASuspensionInWhichNobodyCouldPressIt) {
   EXPECT_FALSE(panel_.button.press()) << "it cannot take a command";
   desksProcess_.run([this] { desk_.resume("Coordinator"); });
   pass(50ms);
-  EXPECT_TRUE(all(DrivePower::Stopped));
-  EXPECT_TRUE(panel_.button.release());
-  pass(50ms);
-  EXPECT_TRUE(all(DrivePower::Off)) << "an operator has decided it";
+  expectStoppedUntilReleased();
 }
 
 TEST_P(StopAcross, IsPressedAfterAPauseInWhichAPressMayBeLost) {
@@ -222,10 +227,20 @@ TEST_P(StopAcross, IsPressedAfterAPauseInWhichAPressMayBeLost) {
   pass(50ms);
   EXPECT_FALSE(coordinator_.permit().granted);
   pass(2s);
-  EXPECT_TRUE(all(DrivePower::Stopped));
-  EXPECT_TRUE(panel_.button.release());
-  pass(50ms);
-  EXPECT_TRUE(all(DrivePower::Off)) << "an operator has decided it";
+  expectStoppedUntilReleased();
+}
+
+// The connection's silence is shorter than the pause, so the press that was accepted is lost.
+TEST_P(StopAcross, IsPressedIfAPressIsLostInAShorterPause) {
+  beginMoving();
+  desksProcess_.freeze();
+  pass(100ms);
+  ASSERT_TRUE(panel_.button.press());
+  pass(500ms);
+  desksProcess_.thaw();
+  pass(500ms);
+  EXPECT_FALSE(coordinator_.permit().granted);
+  expectStoppedUntilReleased();
 }
 
 TEST_P(StopAcross, StopsDrivesThatAreDisconnected) {
