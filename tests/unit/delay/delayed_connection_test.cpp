@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <stdexcept>
 #include <vector>
 
 #include "reference/arm_like.suture.h"
@@ -47,6 +48,7 @@ class Arm final : public PeriodicTask, public ArmLike {
   bool move(const PoseStamped&, double, const std::string&) override { return false; }
   std::uint32_t reset() override { return 0; }
   void limit(double speed, Mode) override {
+    if (speed < 0) throw std::runtime_error("the drive did not answer");
     const std::lock_guard lock(mutex_);
     limits_.push_back(speed);
   }
@@ -252,6 +254,18 @@ TEST_F(Delayed, EveryCreditComesBackThoughMessagesAreLost) {
 TEST_F(Delayed, WithoutADelayNothingIsBetween) {
   connect("A", {});
   EXPECT_EQ(manager.channels().at(0)->lane, "local");
+}
+
+// The provider runs again before the thread that delays has looked.
+TEST_F(Delayed, ARestartOfTheProviderAwaitsTheOperator) {
+  arm.restartAfterFaults({.most = 1, .per = 24h});
+  manager.connect(
+      "A/Arm", "PSM/Arm",
+      {.patience = 1s, .delay = {.commands = 1ms}, .contract = {.resume = Resume::Operator}});
+  EXPECT_TRUE(a.arm.limit(-1, Mode::Enabled));
+  EXPECT_TRUE(eventually([&] { return arm.faults() == 1; }));
+  EXPECT_TRUE(eventually([&] { return a.arm.hold().error() == Errc::AwaitingOperator; }));
+  EXPECT_EQ(arm.state(), ComponentState::Running);
 }
 
 }  // namespace

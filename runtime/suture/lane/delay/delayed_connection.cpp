@@ -242,15 +242,26 @@ void DelayedConnection::keepRow(const rt::StateTable::Row& row, Time due) {
   rows_.commit();
 }
 
-// Delays a status as answers are, so that it comes behind those that came before it.
+// Takes a fault even if the provider was restarted before this thread looked.
 void DelayedConnection::takeStatus() {
+  const std::uint32_t faults = far_->faults.load(std::memory_order_acquire);
   const ChannelStatus status = far_->status.load(std::memory_order_acquire);
-  if (status == status_) return;
+  if (faults != faultsTaken_) {
+    if (!takeStatus(ChannelStatus::Faulted)) return;
+    faultsTaken_ = faults;
+  }
+  takeStatus(status);
+}
+
+// Delays a status as answers are, so that it comes behind those that came before it.
+bool DelayedConnection::takeStatus(ChannelStatus status) {
+  if (status == status_) return true;
   std::byte* memory = statuses_.claim(now() + delay_.answers, sizeof(status));
-  if (memory == nullptr) return;
+  if (memory == nullptr) return false;
   new (memory) ChannelStatus(status);
   statuses_.commit();
   status_ = status;
+  return true;
 }
 
 void DelayedConnection::deliverAnswers(Time now) {

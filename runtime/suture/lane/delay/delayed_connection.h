@@ -61,6 +61,8 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   bool sendRow(rt::ColumnSet columns, std::uint64_t& last) override;
   void keepRow(const rt::StateTable::Row& row, Time due);
   void takeStatus();
+  /// Returns false if there is no room for it now.
+  bool takeStatus(ChannelStatus status);
   void deliverAnswers(Time now);
   void deliverAnswer(const ReplyRecord& answer);
   void deliverEvents(Time now);
@@ -96,6 +98,7 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   RowSlots row_;                                     // the row that is being taken
   std::vector<rt::StateTable::Value> values_;        // of the row that is delivered
   ChannelStatus status_ = ChannelStatus::Connected;  // the last status that was taken
+  std::uint32_t faultsTaken_ = 0;                    // of the provider
   ClientCarrier client_;
   ProviderCarrier provider_;
 };
