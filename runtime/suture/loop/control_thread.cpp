@@ -1,12 +1,12 @@
 #include <suture/base/errors.h>
 #include <suture/loop/control_thread.h>
 #include <suture/rt/scheduling.h>
+#include <suture/rt/standard_error.h>
 #include <sys/eventfd.h>
 
 #include <pthread.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <optional>
 
@@ -40,7 +40,7 @@ void ControlThread::Loop::takeWork() {
 }
 
 void ControlThread::Loop::report(const kj::Exception& exception) {
-  std::fprintf(stderr, "suture: a background task failed: %s\n", describe(exception).c_str());
+  printUnlessFull("suture: a background task failed: " + describe(exception));
 }
 
 ControlThread::ControlThread() {

@@ -5,9 +5,9 @@
 #include <suture/names/manager_lease.h>
 #include <suture/names/start_hint.h>
 #include <suture/net/tls/keys.h>
+#include <suture/rt/standard_error.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace suture {
 namespace {
@@ -141,7 +141,7 @@ void ManagerLease::update(std::vector<ComponentRecord> components) {
     // If the link breaks, the next enrolment tells the manager everything again.
     control_.spawn(request.send().ignoreResult().catch_([program = program_](kj::Exception&& e) {
       if (e.getType() != Type::FAILED) return;
-      std::fprintf(stderr, "%s: %s\n", program.c_str(), plain(rpc::describe(e)).c_str());
+      printUnlessFull(program + ": " + plain(rpc::describe(e)));
     }));
   }
 }

@@ -1,7 +1,6 @@
 #include <suture/base/plain.h>
 #include <suture/net/refusals.h>
-
-#include <cstdio>
+#include <suture/rt/standard_error.h>
 
 namespace suture::rpc {
 namespace {
@@ -30,7 +29,8 @@ void Refusals::add(const std::string& peer, const std::string& text) {
     ++summary_.count;
     summary_.latest = line;
   }
-  if (mayPrint(line)) std::fprintf(stderr, "%s: refused %s\n", owner_.c_str(), line.c_str());
+  if (!mayPrint(line)) return;
+  if (!printUnlessFull(owner_ + ": refused " + line)) printed_.erase(line);
 }
 
 bool Refusals::mayPrint(const std::string& line) {

@@ -18,8 +18,8 @@ class Refusals {
   explicit Refusals(std::string owner) : owner_(std::move(owner)) {}
 
   /// The control thread. Adds a refusal. The same line is printed once a minute, and at most 20
-  /// lines a minute, so that a peer that comes again and again fills no log. `peer` says who it is,
-  /// as far as is known.
+  /// lines a minute, so that a peer that comes again and again fills no log; none is while nobody
+  /// reads standard error. `peer` says who it is, as far as is known.
   void add(const std::string& peer, const std::string& text);
 
   struct Summary {

@@ -5,13 +5,13 @@
 #include <suture/names/manager_link.h>
 #include <suture/names/peer_address.h>
 #include <suture/names/start_hint.h>
+#include <suture/rt/standard_error.h>
 #include <suture/session/client/remote_connection.h>
 #include <suture/session/network.h>
 #include <suture/session/provider/peer_host.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <mutex>
 #include <random>
 
@@ -222,9 +222,7 @@ class Network::Impl {
   kj::Promise<void> tellIfLong(kj::Promise<void> awaited, const std::string& what) {
     auto telling = control_.timer()
                        .afterDelay(rpc::toKj(kLongWait))
-                       .then([line = directory_.process() + ": " + what] {
-                         std::fprintf(stderr, "%s\n", line.c_str());
-                       })
+                       .then([line = directory_.process() + ": " + what] { printUnlessFull(line); })
                        .eagerlyEvaluate(nullptr);
     return awaited.attach(kj::mv(telling));
   }

@@ -1,0 +1,13 @@
+#pragma once
+// Threads that must not wait say on standard error what a person should know.
+
+#include <string_view>
+
+namespace suture {
+
+/// Any thread; never waits. Prints `line` and a line end on standard error, of which it takes at
+/// most 4 KiB. Returns false if that has no room, because nobody reads it: a terminal that was
+/// stopped, or a pipe whose reader sleeps. Then the line is lost.
+bool printUnlessFull(std::string_view line);
+
+}  // namespace suture
