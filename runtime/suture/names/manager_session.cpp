@@ -95,23 +95,23 @@ class SessionServer final : public wire::Session::Server {
     }
     context.releaseParams();  // many calls may wait, and a message may be large
     const bool waits = wait != 0 && names_->registry().find(name) == nullptr;
-    if (waits && !names_->hasRoom()) {
-      asker_.refuse({Kind::LIMIT_REACHED, "find process '" + name +
-                                              "': " + std::to_string(NameService::kMostWaiting) +
-                                              " wait for names here, and no more may. It is not "
-                                              "there now; ask again later."},
+    const std::string full = waits ? names_->whyNoRoom(asker_.holding) : "";
+    if (!full.empty()) {
+      asker_.refuse({Kind::LIMIT_REACHED, "find process '" + name + "': " + full +
+                                              ". It is not there now; ask again later."},
                     context.getResults().initRefused());
       return kj::READY_NOW;
     }
     context.allowCancellation();
-    return names_->whenKnown(name, wait).then([this, context, name, wait]() mutable {
-      auto results = context.getResults();
-      if (const ProcessRecord* process = names_->registry().find(name)) {
-        toWire(*process, results.initFound());
-      } else {
-        toWire(names_->registry().unknown(name, wait), results.initRefused());
-      }
-    });
+    return names_->whenKnown(name, wait, asker_.holding)
+        .then([this, context, name, wait]() mutable {
+          auto results = context.getResults();
+          if (const ProcessRecord* process = names_->registry().find(name)) {
+            toWire(*process, results.initFound());
+          } else {
+            toWire(names_->registry().unknown(name, wait), results.initRefused());
+          }
+        });
   }
 
   kj::Promise<void> list(ListContext context) override {
@@ -186,15 +186,29 @@ void NameService::forgetAnswered() {
   waiting_ = kj::mv(others);
 }
 
-bool NameService::hasRoom() {
-  if (waiting_.size() >= kMostWaiting) forgetAnswered();
-  return waiting_.size() < kMostWaiting;
+std::size_t NameService::waitingOf(const std::shared_ptr<Holding>& link) const {
+  return static_cast<std::size_t>(std::count_if(
+      waiting_.begin(), waiting_.end(), [&](const Waiting& one) { return one.link == link; }));
 }
 
-kj::Promise<void> NameService::whenKnown(const std::string& name, std::uint32_t waitMilliseconds) {
+// One process that asks again and again must leave room to those that start.
+std::string NameService::whyNoRoom(const std::shared_ptr<Holding>& link) {
+  const auto isFull = [&] {
+    return waiting_.size() >= kMostWaiting || waitingOf(link) >= kMostWaitingOfALink;
+  };
+  if (isFull()) forgetAnswered();
+  if (!isFull()) return "";
+  return waitingOf(link) >= kMostWaitingOfALink
+             ? std::to_string(kMostWaitingOfALink) +
+                   " of this link wait for names, and no more of one link may"
+             : std::to_string(kMostWaiting) + " wait for names here, and no more may";
+}
+
+kj::Promise<void> NameService::whenKnown(const std::string& name, std::uint32_t waitMilliseconds,
+                                         const std::shared_ptr<Holding>& link) {
   if (waitMilliseconds == 0 || registry_.find(name) != nullptr) return kj::READY_NOW;
   auto pair = kj::newPromiseAndFulfiller<void>();
-  waiting_.add(Waiting{name, kj::mv(pair.fulfiller)});
+  waiting_.add(Waiting{name, link, kj::mv(pair.fulfiller)});
   const auto wait = std::min(waitMilliseconds, kLongestWaitMilliseconds) * kj::MILLISECONDS;
   return pair.promise.exclusiveJoin(timer_.afterDelay(wait));
 }

@@ -18,27 +18,31 @@ namespace suture {
 /// wait for a name.
 class NameService final : public kj::Refcounted {
  public:
-  /// Limits how many may wait for names at a time; a further one is refused at once.
-  static constexpr std::size_t kMostWaiting = 4096;
+  /// Limits how many may wait for names at a time, of all links and of one; a further one is
+  /// refused at once.
+  static constexpr std::size_t kMostWaiting = 4096, kMostWaitingOfALink = 256;
 
   explicit NameService(kj::Timer& timer) : timer_(timer), aging_(age().eagerlyEvaluate(nullptr)) {}
 
   Registry& registry() { return registry_; }
   /// Wakes the requests that wait for `name`.
   void announce(const std::string& name);
-  /// Returns true if one more may wait.
-  bool hasRoom();
+  /// Returns which limit one more that waits for the link would exceed; "" if it may.
+  std::string whyNoRoom(const std::shared_ptr<Holding>& link);
   /// Call it only if there is room. Resolves when `name` is known, or after the wait, which is
   /// bounded.
-  kj::Promise<void> whenKnown(const std::string& name, std::uint32_t waitMilliseconds);
+  kj::Promise<void> whenKnown(const std::string& name, std::uint32_t waitMilliseconds,
+                              const std::shared_ptr<Holding>& link);
 
  private:
   struct Waiting {
     std::string name;
+    std::shared_ptr<Holding> link;
     kj::Own<kj::PromiseFulfiller<void>> arrived;
   };
 
   void forgetAnswered();
+  std::size_t waitingOf(const std::shared_ptr<Holding>& link) const;
   kj::Promise<void> age();
 
   kj::Timer& timer_;

@@ -34,7 +34,10 @@ class Peer {
                            })),
         name_(name) {}
   ~Peer() {
-    control_.run(kPatience, [this] { link_.reset(); });
+    control_.run(kPatience, [this] {
+      waits_.clear();
+      link_.reset();
+    });
   }
 
   void open(Duration patience = 5s) {
@@ -58,15 +61,15 @@ class Peer {
     return control_.run(wait + 10s, [this, name, wait] { return link_->resolve(name, wait); });
   }
   /// Returns why a name is not there, while `waiting` others are waited for.
-  std::string resolveBehind(std::size_t waiting) {
-    return control_.run(kPatience, [this, waiting] {
-      kj::Vector<kj::Promise<ProcessRecord>> others;
-      for (std::size_t i = 0; i < waiting; ++i) others.add(link_->resolve("nobody", 60s));
-      return link_->resolve("nobody", 60s)
-          .then([](const ProcessRecord&) { return std::string("found"); },
-                [](kj::Exception&& e) { return rpc::describe(e); })
-          .attach(kj::mv(others));
+  /// Waits so often for a process that nobody starts, until stopWaiting().
+  void wait(std::size_t times) {
+    control_.run(kPatience, [this, times] {
+      for (std::size_t i = 0; i < times; ++i) waits_.add(link_->resolve("nobody", 60s));
+      return link_->list().ignoreResult();  // the manager has heard all of that by then
     });
+  }
+  void stopWaiting() {
+    control_.run(kPatience, [this] { waits_.clear(); });
   }
   std::vector<ProcessRecord> list() {
     return control_.run(kPatience, [this] { return link_->list(); });
@@ -89,6 +92,7 @@ class Peer {
 
   rpc::ControlThread control_;
   std::unique_ptr<ManagerLink> link_;
+  kj::Vector<kj::Promise<ProcessRecord>> waits_;
   const std::string name_;
 };
 
@@ -190,14 +194,30 @@ TEST_P(GlobalManagerTest, ResolvingWaitsNoLongerThanAsked) {
 }
 
 TEST_P(GlobalManagerTest, WaitersAreBounded) {
-  auto peer = enrolled("left");
+  std::vector<std::unique_ptr<Peer>> all;
+  for (std::size_t i = 0; i < NameService::kMostWaiting / NameService::kMostWaitingOfALink; ++i) {
+    all.push_back(enrolled("left" + std::to_string(i)));
+    all.back()->wait(NameService::kMostWaitingOfALink);
+  }
+  auto peer = enrolled("peer");
   testing::internal::CaptureStderr();
-  const std::string answer = peer->resolveBehind(NameService::kMostWaiting);
+  const std::string answer = refusal([&] { peer->resolve("nobody", 60s); });
   const std::string told = testing::internal::GetCapturedStderr();
   const std::string limit = "find process 'nobody': 4096 wait for names here, and no more may";
   EXPECT_TRUE(contains(answer, limit)) << answer;
   EXPECT_TRUE(contains(told, "suture-manager: refused ") && contains(told, limit)) << told;
-  // Processes that have gone leave their places to others.
+  all.front()->stopWaiting();
+  EXPECT_TRUE(eventually(
+      [&] { return contains(refusal([&] { peer->resolve("nobody", 1ms); }), "has waited 1 ms"); }));
+}
+
+TEST_P(GlobalManagerTest, OneProcessThatWaitsTooOftenLeavesRoomToOthers) {
+  auto greedy = enrolled("greedy");
+  greedy->wait(NameService::kMostWaitingOfALink);
+  const std::string answer = refusal([&] { greedy->resolve("nobody", 60s); });
+  EXPECT_TRUE(contains(answer, "256 of this link wait for names, and no more of one link may"))
+      << answer;
+  auto peer = enrolled("left");
   std::unique_ptr<Peer> late;
   TestThread other([&] {
     pass(50ms);
