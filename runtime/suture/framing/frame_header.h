@@ -21,8 +21,11 @@ namespace suture::rpc {
 struct StreamLimits {
   std::uint32_t segments = 512;
   std::size_t messageBytes = 16u << 20;      ///< header and body of one message
-  std::size_t strangerBytes = 16u << 10;     ///< the same, for a peer that is not known yet
   std::size_t unsentBytes = 64u << 20;       ///< written, and not yet taken by the peer
+  std::size_t answerBytes = 64u << 20;       ///< answers to questions that the peer keeps open
+  std::size_t strangerBytes = 16u << 10;     ///< each of these, for a peer that is not known yet
+  std::uint32_t questions = 1u << 16;        ///< that a peer may ask at a time
+  std::uint32_t strangerQuestions = 64;      ///< the same, for a peer that is not known yet
   std::int64_t drainMilliseconds = 10'000;   ///< at the end: until the peer has taken all
   std::int64_t partialMilliseconds = 5'000;  ///< from the first byte of a message to its last
   std::int64_t firstMilliseconds =

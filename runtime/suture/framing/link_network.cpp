@@ -14,7 +14,7 @@ using Base = capnp::TwoPartyVatNetworkBase;
 /// of a longer one goes into further segments.
 class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
  public:
-  explicit Outgoing(MessageStream& stream) : stream_(stream), message_(room_) {}
+  explicit Outgoing(LinkNetwork& network) : network_(network), message_(room_) {}
 
   capnp::AnyPointer::Builder getBody() override { return message_.getRoot<capnp::AnyPointer>(); }
 
@@ -22,13 +22,17 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
     // A peer that receives more than it allows ends the link, but only this call should fail. What
     // is thrown here becomes the outcome of the call.
     const auto segments = message_.getSegmentsForOutput();
-    if (frameBytes(segments) > stream_.limits().messageBytes) {
+    const std::size_t bytes = frameBytes(segments);
+    MessageStream& stream = *network_.stream_;
+    if (bytes > stream.limits().messageBytes) {
       kj::throwFatalException(remoteError(Errc::TooLarge));
     }
+    const auto message = message_.getRoot<capnp::rpc::Message>().asReader();
+    network_.answers_.sent(message, bytes);
     // A Finish, which ends a call that has returned, only frees memory at the peer.
-    const bool finish = message_.getRoot<capnp::rpc::Message>().isFinish();
     using Leaves = MessageStream::Leaves;
-    stream_.write(segments, finish ? Leaves::WithNextMessage : Leaves::AtEndOfTurn, descriptors_);
+    stream.write(segments, message.isFinish() ? Leaves::WithNextMessage : Leaves::AtEndOfTurn,
+                 descriptors_);
   }
 
   void setFds(kj::Array<int> descriptors) override { descriptors_ = kj::mv(descriptors); }
@@ -43,7 +47,7 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
   // Blocks of up to 1032 bytes are those that malloc keeps at hand for each thread.
   static constexpr std::size_t kRoom = 88;
 
-  MessageStream& stream_;
+  LinkNetwork& network_;
   capnp::word room_[kRoom] = {};
   capnp::MallocMessageBuilder message_;
   kj::Array<int> descriptors_;
@@ -63,7 +67,7 @@ class LinkNetwork::Only final : public Base::Connection, public kj::Refcounted {
   VatId::Reader getPeerVatId() override { return peer_.getRoot<VatId>(); }
 
   kj::Own<capnp::OutgoingRpcMessage> newOutgoingMessage(capnp::uint) override {
-    return kj::heap<Outgoing>(*network_.stream_);
+    return kj::heap<Outgoing>(network_);
   }
 
   kj::Promise<kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>> receiveIncomingMessage() override {
@@ -82,6 +86,15 @@ LinkNetwork::LinkNetwork(kj::Own<MessageStream> stream, Side side)
   auto pair = kj::newPromiseAndFulfiller<void>();
   gone_ = kj::mv(pair.fulfiller);
   disconnected_ = pair.promise.fork();
+  stream_->setJudge([this](capnp::IncomingRpcMessage& message, bool isStranger) {
+    const StreamLimits& limits = stream_->limits();
+    return answers_.arrived(message.getBody().getAs<capnp::rpc::Message>(),
+                            isStranger
+                                ? UnfinishedAnswers::Limits{.questions = limits.strangerQuestions,
+                                                            .bytes = limits.strangerBytes}
+                                : UnfinishedAnswers::Limits{.questions = limits.questions,
+                                                            .bytes = limits.answerBytes});
+  });
 }
 
 Side LinkNetwork::peerSide() const { return side_ == Side::CLIENT ? Side::SERVER : Side::CLIENT; }

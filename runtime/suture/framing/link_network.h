@@ -5,6 +5,7 @@
 
 #include <capnp/rpc-twoparty.h>
 #include <suture/framing/message_stream.h>
+#include <suture/framing/unfinished_answers.h>
 
 #include <memory>
 
@@ -35,6 +36,7 @@ class LinkNetwork final : public capnp::TwoPartyVatNetworkBase {
 
   kj::Own<MessageStream> stream_;
   const capnp::rpc::twoparty::Side side_;
+  UnfinishedAnswers answers_;
   bool accepted_ = false;
   Only* only_ = nullptr;  // set while the RPC system holds it
   kj::Own<kj::PromiseFulfiller<void>> gone_;

@@ -95,8 +95,7 @@ kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
   noteWhetherKnown();
   const auto bytes = incoming_.bytes();
   const FrameParse parse = parseFrameHeader(bytes, limits_);
-  const bool isStranger = guard_.known != nullptr;
-  if (isStranger && parse.header && parse.header->totalBytes > limits_.strangerBytes) {
+  if (isStranger() && parse.header && parse.header->totalBytes > limits_.strangerBytes) {
     refuse(kTooLongOfStranger);
   }
   if (parse.fault != FrameFault::None) {
@@ -114,8 +113,11 @@ kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
   countUnfinished();
   kj::Array<kj::AutoCloseFd> descriptors;
   if (!arrivedDescriptors_.empty()) descriptors = arrivedDescriptors_.takeUntil(taken());
-  return kj::Own<capnp::IncomingRpcMessage>(kj::heap<ReceivedMessage>(
-      kj::mv(frame), *parse.header, readerOptions(limits_), kj::mv(descriptors)));
+  kj::Own<capnp::IncomingRpcMessage> message = kj::heap<ReceivedMessage>(
+      kj::mv(frame), *parse.header, readerOptions(limits_), kj::mv(descriptors));
+  const std::string_view broken = judge_(*message, isStranger());
+  if (!broken.empty()) refuse(std::string(broken));
+  return kj::mv(message);
 }
 
 // Counts the bytes of a message that has begun before it waits for more, because a peer may send a
@@ -130,9 +132,11 @@ void MessageStream::refuse(std::string why) {
   kj::throwFatalException(disconnected(refusal_));
 }
 
+bool MessageStream::isStranger() const { return guard_.known != nullptr && !*guard_.known; }
+
 // Makes the next reads larger as soon as the peer is known.
 void MessageStream::noteWhetherKnown() {
-  if (guard_.known == nullptr || !*guard_.known) return;
+  if (guard_.known == nullptr || isStranger()) return;
   guard_.known = nullptr;
   incoming_.setIdleSize(kReadAtOnce);
 }
@@ -193,7 +197,7 @@ void MessageStream::write(Segments message, Leaves when, kj::ArrayPtr<const int>
     outgoingDescriptors_.add({begin, end, duplicate(descriptors)});
   }
   const std::size_t unsent = outgoing_.size() - outgoingBegin_;
-  if (unsent > limits_.unsentBytes) {
+  if (unsent > (isStranger() ? limits_.strangerBytes : limits_.unsentBytes)) {
     fail(disconnected(kTakesNothing));
   } else if (unsent >= kSendAtOnce) {
     flush();

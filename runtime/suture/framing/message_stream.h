@@ -6,6 +6,7 @@
 
 #include <capnp/rpc.h>
 #include <kj/async-unix.h>
+#include <kj/function.h>
 #include <suture/framing/frame_header.h>
 #include <suture/framing/receive_budget.h>
 #include <suture/framing/receive_buffer.h>
@@ -19,6 +20,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace suture::rpc {
@@ -52,6 +54,11 @@ class MessageStream final : private EventPort::Output {
   ~MessageStream() noexcept(false);
 
   const StreamLimits& limits() const { return limits_; }
+
+  /// Is given each message that has arrived, and whether it comes from a stranger. Returns which
+  /// limit the peer breaks by it; "" if none.
+  using Judge = kj::Function<std::string_view(capnp::IncomingRpcMessage&, bool)>;
+  void setJudge(Judge judge) { judge_ = kj::mv(judge); }
 
   using Reading = kj::Promise<kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>>;
   using Segments = kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>>;
@@ -91,6 +98,7 @@ class MessageStream final : private EventPort::Output {
   Received receive();
   kj::Maybe<kj::TimePoint> readDeadline();
   std::uint64_t taken() const;
+  bool isStranger() const;
   void noteWhetherKnown();
   [[noreturn]] void refuse(std::string why);
 
@@ -113,6 +121,7 @@ class MessageStream final : private EventPort::Output {
   kj::Maybe<kj::Promise<void>> readable_;  // set: the socket was empty when this was made
   ReceiveBuffer incoming_;
   AttachedDescriptors arrivedDescriptors_;
+  Judge judge_ = [](capnp::IncomingRpcMessage&, bool) { return std::string_view(); };
   bool anyMessage_ = false;
   kj::TimePoint opened_;
   kj::Maybe<kj::TimePoint> partialSince_;

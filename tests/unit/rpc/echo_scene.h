@@ -40,14 +40,14 @@ class EchoScene : public testing::TestWithParam<const char*> {
             .helloMilliseconds = kPatience};
   }
 
-  void serve(std::size_t maxLinks = 2) {
+  void serve(std::size_t maxLinks = 2, const StreamLimits& limits = patientLimits()) {
     server_ = kj::heap<LinkServer>(
         port_, Address::parse(freshAddress()),
         [this](auto&& caller) -> capnp::Capability::Client {
           caller->known = knows_;
           return Echo::Client(kj::heap<EchoServer>());
         },
-        refusals_, patientLimits(), maxLinks);
+        refusals_, limits, maxLinks);
   }
 
   kj::Own<Link> connect() {

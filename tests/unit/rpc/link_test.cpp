@@ -100,6 +100,44 @@ TEST_P(LinkTest, AHostilePeerIsCutOffAndOthersAreServed) {
   EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
 }
 
+// Cap'n Proto keeps each answer for as long as its client does.
+TEST_P(LinkTest, AnswersThatAPeerKeepsAreBounded) {
+  StreamLimits limits = patientLimits();
+  limits.answerBytes = 1u << 20;
+  serve(2, limits);
+  auto link = connect();
+  auto client = link->bootstrap<Echo>();
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(echo(client, 400'000).wait(port_.scope()), 400'000u);
+  std::vector<capnp::Response<Echo::EchoResults>> kept;
+  const std::string fault = faultOf([&] {
+    for (int i = 0; i < 10; ++i) {
+      auto request = client.echoRequest();
+      request.initData(400'000);
+      kept.push_back(request.send().wait(port_.scope()));
+    }
+  });
+  EXPECT_NE(fault, "");
+  EXPECT_EQ(kept.size(), 3u) << "the third may exceed it";
+  EXPECT_NE(refusals_.summary().latest.find("the peer keeps more answers than it may"),
+            std::string::npos)
+      << refusals_.summary().latest;
+}
+
+TEST_P(LinkTest, QuestionsAtATimeAreBounded) {
+  StreamLimits limits = patientLimits();
+  limits.questions = 4;  // one of them asks for the server itself
+  serve(2, limits);
+  auto link = connect();
+  auto client = link->bootstrap<Echo>();
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
+  kj::Vector<kj::Promise<void>> asked;
+  for (int i = 0; i < 5; ++i) asked.add(client.neverRequest().send().ignoreResult());
+  EXPECT_NE(faultOf([&] { echo(client, 1).wait(port_.scope()); }), "");
+  EXPECT_NE(refusals_.summary().latest.find("the peer asks more at a time than it may"),
+            std::string::npos)
+      << refusals_.summary().latest;
+}
+
 TEST_P(LinkTest, APeerBeyondTheLimitIsTold) {
   serve();  // for two at a time
   auto first = connect();
