@@ -370,3 +370,18 @@ TEST_F(BrokenClient, MayOpenAsOftenAsItLetsGo) {
 
 }  // namespace
 }  // namespace suture::broken_clients
+  client.watch(0);  // the client has been heard since, so it has not left
+// A client has many sockets, so that its last ping may come after the end of what it sent before.
+// Reports keep the sums of a client that has left.
+TEST_F(BrokenClient, IsReportedWhenItsLastPingComesAfterItsEnd) {
+  {
+    Client client(manager());
+    client.greet();
+    ASSERT_EQ(client.openArm(1), "");
+    client.letGo();
+    client.watch(0);
+  }
+  ASSERT_EQ(robot->channels().size(), 1u);
+  EXPECT_EQ(robot->channels()[0]->status, ChannelStatus::Closed);
+}
+

@@ -17,6 +17,7 @@
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -100,7 +101,9 @@ kj::Promise<void> PeerServer::ping(PingContext context) {
     watched_.clear();
     for (const auto name : in.getComponents()) watched_.push_back(stringOf(name));
   }
-  forgetEnded();
+  // A client that leaves may have sent this before its connections ended, which travel on sockets
+  // of their own; it stays if it says more after that.
+  if (std::exchange(anyEnded_, forgetEnded())) host_.forgetClosed();
   for (Held& held : held_) held.end->tellEarlier();
   putTasks(results);
   results.setSent(leases_.answer());
@@ -150,7 +153,7 @@ kj::Promise<void> PeerServer::whenThere(Attempt attempt, Refuse refuse) {
 }
 
 std::optional<Refusal> PeerServer::whyNotGiven(const Endpoint& endpoint) {
-  forgetEnded();
+  if (forgetEnded()) host_.forgetClosed();
   if (interfaces_.anyFree()) return admission_.whyNotInterface(endpoint);
   return Refusal{Kind::LIMIT_REACHED, "use '" + endpoint.toString() +
                                           "': this process has been given " +
@@ -304,13 +307,12 @@ void PeerServer::keep(Held held) {
   held_.push_back(kj::mv(held));
 }
 
-void PeerServer::forgetEnded() {
-  const std::size_t ended = std::erase_if(held_, [this](const Held& held) {
-    const bool over = held.channel->status == ChannelStatus::Closed;
-    if (over) host_.forget(*held.end);
-    return over;
-  });
-  if (ended > 0) host_.forgetClosed();
+bool PeerServer::forgetEnded() {
+  return std::erase_if(held_, [this](const Held& held) {
+           const bool over = held.channel->status == ChannelStatus::Closed;
+           if (over) host_.forget(*held.end);
+           return over;
+         }) > 0;
 }
 
 kj::Promise<void> PeerServer::compared(ComparedContext context) {

@@ -61,7 +61,8 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   kj::Promise<LaneServer*> whenLane(const std::string& name);
   kj::Promise<void> awaitSocket(LaneServer& lane, SocketContext& context);
   void keep(Held held);
-  void forgetEnded();
+  /// Returns true if there were any.
+  bool forgetEnded();
   void putTasks(wire::Peer::PingResults::Builder results) const;
   void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
   /// Returns why the caller may not have that interface.
@@ -83,6 +84,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   std::map<std::string, kj::Own<LaneServer>> lanes_;
   std::map<std::uint32_t, kj::Own<AwaitedSockets::Awaiting>> sockets_;  // by number
   std::uint32_t latestSocket_ = 0;
+  bool anyEnded_ = false;  // of those, as the last ping found
 };
 
 }  // namespace suture
