@@ -34,33 +34,53 @@ struct TakeOver : RemoteArm {
   }
 };
 
-/// Says in a session of its own that it is the console, which has connected later than any other,
-/// and asks for a connection on a socket that it has not. Returns why it has none.
-kj::Promise<std::string> askAsTheConsole(wire::Peer::Client robot) {
+/// Asks for a connection of the console, which is later than any other, on that socket. Returns why
+/// there is none.
+kj::Promise<std::string> askForConnection(wire::Peer::Client robot, std::uint32_t socket) {
+  auto request = robot.connectRequest();
+  reference::askForArm(request, "console");
+  request.setEpoch(std::numeric_limits<std::int64_t>::max());
+  request.initBrings().initAs<wire::CallsRequest>().setSocket(socket);
+  return request.send().then([](auto&& results) {
+    if (results.isAccepted()) return std::string();
+    return results.isRefused() ? fromWire(results.getRefused()).text
+                               : std::string(results.getDeclined().cStr());
+  });
+}
+
+/// Says in a session of its own that it is the console.
+kj::Promise<void> greetAsTheConsole(wire::Peer::Client robot) {
   auto hello = robot.helloRequest();
   hello.setVersion(wire::PROTOCOL_VERSION);
   hello.setProcess("console");
   hello.setBootId(bootId());
-  return hello.send().then([robot](auto&&) mutable {
-    auto request = robot.connectRequest();
-    reference::askForArm(request, "console");
-    request.setEpoch(std::numeric_limits<std::int64_t>::max());
-    request.initBrings().initAs<wire::CallsRequest>().setSocket(1);
-    return request.send().then([](auto&& results) {
-      return results.isRefused() ? fromWire(results.getRefused()).text
-                                 : std::string(results.getDeclined().cStr());
-    });
-  });
+  return hello.send().ignoreResult();
 }
 
-std::string answerTo(const rpc::Address& robot) {
+/// The calls of the connection travel on a socket that has been opened for them, or on none.
+enum class Socket { Own, None };
+
+/// Asks in a session of its own. Returns why there is no connection.
+std::string answerTo(const rpc::Address& robot, Socket socket) {
   rpc::ControlThread control;
-  return control.run(kPatience, [&control, robot] {
-    return rpc::dial(control.port(), robot, kPatience).then([&control](kj::AutoCloseFd socket) {
-      auto stream = kj::heap<rpc::MessageStream>(control.port(), rpc::ByteStream(kj::mv(socket)));
-      auto link = kj::heap<rpc::Link>(kj::mv(stream), Side::CLIENT);
-      return askAsTheConsole(link->bootstrap<wire::Peer>()).attach(kj::mv(link));
-    });
+  return control.run(kPatience, [&control, robot, socket] {
+    return rpc::dial(control.port(), robot, kPatience)
+        .then([&control, robot, socket](kj::AutoCloseFd dialled) {
+          auto stream =
+              kj::heap<rpc::MessageStream>(control.port(), rpc::ByteStream(kj::mv(dialled)));
+          auto link = kj::heap<rpc::Link>(kj::mv(stream), Side::CLIENT);
+          auto peer = link->bootstrap<wire::Peer>();
+          return greetAsTheConsole(peer)
+              .then([&control, robot, socket, peer]() mutable -> kj::Promise<std::string> {
+                if (socket == Socket::None) return askForConnection(peer, 1);
+                return reference::openSecondSocket(control.port(), robot, peer)
+                    .then([peer](reference::SecondSocket opened) mutable {
+                      auto answer = askForConnection(peer, opened.number);
+                      return answer.attach(kj::mv(opened.bytes));
+                    });
+              })
+              .attach(kj::mv(link));
+        });
   });
 }
 
@@ -71,18 +91,24 @@ TEST_F(TakeOver, IsNotForAnotherUserWhoGivesTheSameName) {
   std::filesystem::permissions(std::filesystem::path(address.path).parent_path(),
                                std::filesystem::perms::all);
   std::string answer;
-  asNobody([&] { answer = answerTo(address); });
-  EXPECT_EQ(answer, "the session's calls have ended");
-  ASSERT_EQ(robot->channels().size(), 1u);
-  EXPECT_EQ(robot->channels()[0]->status, ChannelStatus::Connected);
+  asNobody([&] { answer = answerTo(address, Socket::Own); });
+  EXPECT_EQ(answer, "");
+  EXPECT_EQ(robot->channels().at(0)->status, ChannelStatus::Connected);
   EXPECT_EQ(outcomeOf(0.5), Errc{});
 }
 
 TEST_F(TakeOver, IsForTheProcessThatComesAgain) {
   connect();
   const auto before = robot->channels().at(0);
-  EXPECT_EQ(answerTo(robotsAddress()), "the session's calls have ended");
+  EXPECT_EQ(answerTo(robotsAddress(), Socket::Own), "");
   EXPECT_EQ(before->status, ChannelStatus::Closed);
+}
+
+TEST_F(TakeOver, IsForAConnectionThatIsMade) {
+  connect();
+  EXPECT_EQ(answerTo(robotsAddress(), Socket::None), "the session's calls have ended");
+  EXPECT_EQ(robot->channels().at(0)->status, ChannelStatus::Connected);
+  EXPECT_EQ(outcomeOf(0.5), Errc{});
 }
 
 }  // namespace

@@ -206,7 +206,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
                                                   provided.info(), name);
     requireSameFrames(fromWire(in.getFrames()), provided.frames(), name);
     const std::string caller = admission_.proven(client.toString());
-    if (in.getEpoch() == 0 || takesOver(caller, name, context)) {
+    if (in.getEpoch() == 0 || mayTakeOver(caller, name, context)) {
       return accept(
           {.client = caller,
            .connection = {.provided = provided,
@@ -239,15 +239,12 @@ PeerHost::Latest PeerServer::latestAt(ConnectContext& context, rpc::ProviderEnd*
 }
 
 // One required interface has one connection: the latest.
-bool PeerServer::takesOver(const std::string& client, const std::string& name,
-                           ConnectContext& context) {
+bool PeerServer::mayTakeOver(const std::string& client, const std::string& name,
+                             ConnectContext& context) {
   const std::string why = host_.whySuperseded(client, name, latestAt(context, nullptr));
-  if (!why.empty()) {
-    refuse({Kind::ALREADY_CONNECTED, why}, context.getResults().initRefused());
-    return false;
-  }
-  host_.endLatest(client);
-  return true;
+  if (why.empty()) return true;
+  refuse({Kind::ALREADY_CONNECTED, why}, context.getResults().initRefused());
+  return false;
 }
 
 kj::Promise<void> PeerServer::accept(const Asked& asked) {
@@ -285,8 +282,9 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   ConnectContext context = asked.context;
   const auto in = context.getParams();
   rpc::ProviderEnd& end = *accepted.end;
-  if (in.getEpoch() != 0 && !takesOver(asked.client, asked.connection.terms.name, context)) {
-    return end.close();
+  if (in.getEpoch() != 0) {
+    if (!mayTakeOver(asked.client, asked.connection.terms.name, context)) return end.close();
+    host_.endLatest(asked.client);
   }
   const std::shared_ptr<Ledger>& ledger = accepted.channel->terms.ledger;
   host_.keepLedger(admission_.proven(asked.connection.terms.name), incarnation_, ledger);

@@ -52,7 +52,8 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   kj::Promise<void> decide(ProvidedBase& provided, const Endpoint& endpoint,
                            ConnectContext& context, Places::Place place);
   PeerHost::Latest latestAt(ConnectContext& context, rpc::ProviderEnd* end) const;
-  bool takesOver(const std::string& client, const std::string& name, ConnectContext& context);
+  /// Returns false, and refuses the request, if a later one has come first.
+  bool mayTakeOver(const std::string& client, const std::string& name, ConnectContext& context);
   /// Makes the connection by the lane that was asked for, or declines it.
   kj::Promise<void> accept(const Asked& asked);
   void accepted(const Asked& asked, AcceptedEnd accepted);
