@@ -106,7 +106,7 @@ std::shared_ptr<Ledger> PeerHost::ledgerOf(const std::string& name, std::uint64_
 
 void PeerHost::keepLedger(const std::string& name, std::uint64_t client,
                           std::shared_ptr<Ledger> ledger) {
-  if (accounts_.size() >= kMostAccounts) {
+  if (accounts_.size() >= kMostAccounts && !accounts_.contains(name)) {
     history_ = Ledger::History::Forgotten;
     std::erase_if(accounts_, [](const auto& one) { return one.second.ledger.use_count() == 1; });
   }
