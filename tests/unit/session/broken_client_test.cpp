@@ -243,6 +243,7 @@ class BrokenNeighbour : public RemoteArm {
 
 TEST_F(BrokenClient, WatchesMoreThanItCanBeConnectedTo) {
   Client client(manager());
+  client.greet();
   client.watch(1024);
   EXPECT_TRUE(contains(refusal([&] { client.watch(1025); }),
                        "more components are watched than can be connected to"));
@@ -284,6 +285,14 @@ TEST_F(BrokenClient, AsksForASocketBeforeItSaysHello) {
                        "a second connection is for whoever has said hello"));
   client.greet();
   client.openSocket();
+}
+
+TEST_F(BrokenClient, AsksForContractsBeforeItSaysHello) {
+  Client client(manager());
+  EXPECT_TRUE(contains(refusal([&] { client.explain("PSM", "Arm"); }),
+                       "what there is here is told to whoever has said hello"));
+  client.greet();
+  EXPECT_EQ(client.explain("PSM", "Arm"), "");
 }
 
 TEST_F(BrokenClient, ShowsATokenOfItsOwn) {
@@ -365,12 +374,10 @@ TEST_F(BrokenClient, MayOpenAsOftenAsItLetsGo) {
     client.letGo();
   }
   client.watch(0);  // the process looks then which connections are over
+  client.watch(0);  // the client has been heard since, so it has not left
   EXPECT_TRUE(eventually([&] { return robot->channels().empty(); })) << robot->channels().size();
 }
 
-}  // namespace
-}  // namespace suture::broken_clients
-  client.watch(0);  // the client has been heard since, so it has not left
 // A client has many sockets, so that its last ping may come after the end of what it sent before.
 // Reports keep the sums of a client that has left.
 TEST_F(BrokenClient, IsReportedWhenItsLastPingComesAfterItsEnd) {
@@ -385,3 +392,5 @@ TEST_F(BrokenClient, IsReportedWhenItsLastPingComesAfterItsEnd) {
   EXPECT_EQ(robot->channels()[0]->status, ChannelStatus::Closed);
 }
 
+}  // namespace
+}  // namespace suture::broken_clients

@@ -27,7 +27,8 @@ using Type = kj::Exception::Type;
 
 // This is bounded, because each connection has its own mailbox for as long as the session lives.
 constexpr std::size_t kMostConnections = 1024;
-constexpr std::size_t kMostAwaitedSockets = 16;
+
+constexpr const char* kSayHello = "what there is here is told to whoever has said hello";
 
 // Bounds what a client may say, so that sums with it do not overflow.
 Duration silenceIn(wire::ConnectRequest::Reader request) {
@@ -52,7 +53,8 @@ PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
       caller_(std::move(caller)),
       admission_(host.directory_.process(), host.policy_, caller_->identity),
       interfaces_(kMostConnections),
-      leases_(host.control_, state_) {}
+      leases_(host.control_, state_),
+      sockets_(host.sockets_, host.secondSockets_, caller_) {}
 
 PeerServer::~PeerServer() noexcept(false) {
   for (Held& held : held_) {
@@ -91,12 +93,10 @@ kj::Promise<void> PeerServer::ping(PingContext context) {
   leases_.hear(in.getHeard());
   if (in.hasComponents()) {
     if (in.getComponents().size() > kMostConnections) {
-      return rpc::failure(Type::FAILED, "more components are watched than can be connected to");
+      return fail("more components are watched than can be connected to");
     }
     for (const auto name : in.getComponents()) {
-      if (const auto refusal = admission_.whyNotNames({name})) {
-        return rpc::failure(Type::FAILED, refusal->text);
-      }
+      if (const auto refusal = admission_.whyNotNames({name})) return fail(refusal->text);
     }
     watched_.clear();
     for (const auto name : in.getComponents()) watched_.push_back(stringOf(name));
@@ -121,6 +121,7 @@ void PeerServer::putTasks(wire::Peer::PingResults::Builder results) const {
 }
 
 kj::Promise<void> PeerServer::describe(DescribeContext context) {
+  if (!caller_->known) return fail(kSayHello);
   context.allowCancellation();  // the process may leave before it publishes
   return host_.whenPublished_.addBranch().then([this, context]() mutable {
     const auto components = describeComponents(host_.directory_);
@@ -133,6 +134,11 @@ kj::Promise<void> PeerServer::describe(DescribeContext context) {
 void PeerServer::refuse(const Refusal& refusal, wire::Refusal::Builder out) {
   host_.refusals_.add(caller_->identity.text(), refusal.text);
   toWire(refusal, out);
+}
+
+kj::Promise<void> PeerServer::fail(const std::string& why) {
+  host_.refusals_.add(caller_->identity.text(), why);
+  return rpc::failure(Type::FAILED, why);
 }
 
 template <class Attempt, class Refuse>
@@ -321,37 +327,22 @@ kj::Promise<void> PeerServer::compared(ComparedContext context) {
 }
 
 kj::Promise<void> PeerServer::socket(SocketContext context) {
-  if (!caller_->known) {
-    return rpc::failure(Type::FAILED, "a second connection is for whoever has said hello");
-  }
+  if (!caller_->known) return fail("a second connection is for whoever has said hello");
   context.allowCancellation();  // the process may leave before it publishes
   return whenLane(stringOf(context.getParams().getLane()))
       .then([this, context](LaneServer* lane) mutable { return awaitSocket(*lane, context); });
 }
 
 kj::Promise<void> PeerServer::awaitSocket(LaneServer& lane, SocketContext& context) {
-  // A client gives up a socket that does not come, and asks for another.
-  if (sockets_.size() == kMostAwaitedSockets) sockets_.erase(sockets_.begin());
-  Places& places = host_.secondSockets_;
-  if (!places.anyFree()) {
-    const std::string why = "open a second connection to process '" + host_.directory_.process() +
-                            "': it has " + std::to_string(places.most()) +
-                            " of them, and no process has more. End some of its peers.";
-    host_.refusals_.add(caller_->identity.text(), why);
-    return rpc::failure(Type::FAILED, why);
+  const auto expected = sockets_.await(lane);
+  if (!expected) {
+    return fail("open a second connection to process '" + host_.directory_.process() +
+                "': it has " + std::to_string(host_.secondSockets_.most()) +
+                " of them, and no process has more. End some of its peers.");
   }
-  const std::uint32_t number = ++latestSocket_;
-  auto awaiting = host_.sockets_.await(
-      caller_->identity,
-      [this, &lane, number, place = places.take()](rpc::ByteStream bytes) mutable {
-        sockets_.erase(number);
-        bytes.attach(std::move(place));
-        lane.opened({number, kj::mv(bytes), caller_->share()});
-      });
-  context.getResults().setNumber(number);
+  context.getResults().setNumber(expected->number);
   context.getResults().setToken(
-      {reinterpret_cast<const kj::byte*>(awaiting->token().data()), awaiting->token().size()});
-  sockets_.emplace(number, kj::mv(awaiting));
+      {reinterpret_cast<const kj::byte*>(expected->token.data()), expected->token.size()});
   return kj::READY_NOW;
 }
 
@@ -394,6 +385,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
 }
 
 kj::Promise<void> PeerServer::explain(ExplainContext context) {
+  if (!caller_->known) return fail(kSayHello);
   auto in = context.getParams();
   const Endpoint endpoint = endpointOf(in.getComponent(), in.getInterface());
   const bool required = in.getSide() == wire::Peer::Side::REQUIRED;

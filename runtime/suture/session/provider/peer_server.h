@@ -7,6 +7,7 @@
 #include <suture/session/provider/client_leases.h>
 #include <suture/session/provider/peer_host.h>
 #include <suture/session/provider/places.h>
+#include <suture/session/provider/second_sockets.h>
 
 #include <map>
 #include <optional>
@@ -68,6 +69,8 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
   /// Returns why the caller may not have that interface.
   std::optional<Refusal> whyNotGiven(const Endpoint& endpoint);
+  /// Returns a call that fails. Tells also the operator of this process.
+  kj::Promise<void> fail(const std::string& why);
   /// Tells the caller and, in this process, its operator.
   void refuse(const Refusal& refusal, wire::Refusal::Builder out);
 
@@ -81,11 +84,10 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   std::vector<std::string> watched_;  // components that it gets reports of
   Places interfaces_;                 // taken from the question on, because an answer may take long
   std::vector<Held> held_;
+  bool anyEnded_ = false;  // of those, as the last ping found
   ClientLeases leases_;
   std::map<std::string, kj::Own<LaneServer>> lanes_;
-  std::map<std::uint32_t, kj::Own<AwaitedSockets::Awaiting>> sockets_;  // by number
-  std::uint32_t latestSocket_ = 0;
-  bool anyEnded_ = false;  // of those, as the last ping found
+  SecondSockets sockets_;  // last: those that come go to the lanes
 };
 
 }  // namespace suture

@@ -1,0 +1,39 @@
+#pragma once
+// These are the second sockets of one peer, on each of which one of its lanes travels.
+
+#include <suture/framing/link_server.h>
+#include <suture/lane/lanes.h>
+#include <suture/session/provider/awaited_sockets.h>
+#include <suture/session/provider/places.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace suture {
+
+/// Belongs to the control thread. `awaited` and `places` serve all peers, and outlive this.
+class SecondSockets {
+ public:
+  SecondSockets(AwaitedSockets& awaited, Places& places, std::shared_ptr<rpc::Caller> caller)
+      : awaited_(awaited), places_(places), caller_(std::move(caller)) {}
+
+  /// Is what the peer has to show on the socket, and to say of it later.
+  struct Expected {
+    std::uint32_t number;
+    rpc::Token token;
+  };
+  /// Awaits a socket, which `lane` gets when it comes. Returns nothing if no place is free. Throws
+  /// SetupError if the kernel refuses.
+  std::optional<Expected> await(LaneServer& lane);
+
+ private:
+  AwaitedSockets& awaited_;
+  Places& places_;
+  const std::shared_ptr<rpc::Caller> caller_;
+  std::map<std::uint32_t, kj::Own<AwaitedSockets::Awaiting>> onTheirWay_;  // by number
+  std::uint32_t latest_ = 0;
+};
+
+}  // namespace suture
