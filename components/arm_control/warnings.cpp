@@ -11,7 +11,7 @@ std::string_view textOf(ArmWarning reason) {
     case ArmWarning::ClientGone: return "the client whose stream the arm followed is gone";
     case ArmWarning::AtLimit: return "the goal leads beyond a joint limit; the arm slides along it";
     case ArmWarning::StepTooFar:
-      return "the goal lies farther from the set-point than the rates allow in one step";
+      return "the goal lies farther than the joints can be at their rates, by one step or many";
     case ArmWarning::WrongState: return "the operating state does not admit the command";
     case ArmWarning::FollowingError:
       return "it trailed its set-point by more than its bound; enable or disable the arm";

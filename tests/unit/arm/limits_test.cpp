@@ -159,7 +159,9 @@ TEST_F(LimitsTest, AStreamThatIsFasterThanTheRatesIsRefused) {
     const double seconds = secondsBetween(start, suture::now());
     ASSERT_LE(setpoint(0) - begin, kRate * (seconds + kHorizon) + 1e-9) << "in cycle " << i;
   }
-  EXPECT_EQ(heard_.warnings.size(), 1u);
+  ASSERT_EQ(heard_.warnings.size(), 1u);
+  EXPECT_NE(heard_.warnings[0].find("farther"), std::string::npos) << heard_.warnings[0];
+  EXPECT_EQ(crtk_.operating_state().state, ArmState::Enabled);
 }
 
 TEST_F(LimitsTest, AStreamAtTheRatesIsObeyed) {
