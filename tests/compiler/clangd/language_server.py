@@ -5,7 +5,7 @@ import subprocess
 
 
 class LanguageServer:
-    """Runs clangd for one project. It answers in the order in which it is asked; what it says unasked is kept."""
+    """Runs clangd for one project. ask() and diagnostics() read until what they wait for has come, and drop all that comes before."""
 
     def __init__(self, clangd, build, log):
         self.log = log.open("w", encoding="utf-8")
@@ -25,8 +25,8 @@ class LanguageServer:
         self.log.close()
 
     def diagnostics(self, file, text=None):
-        """Opens a file, with another text than it has if there is one. Returns what clangd says of it: pairs of line, from 1, and
-        message."""
+        """Opens a file, as if it held `text` where that is given. Returns clangd's diagnostics: pairs of a line, counted from 1, and
+        a message."""
         self.send(method="textDocument/didOpen", params={"textDocument": {
             "uri": file.as_uri(), "languageId": "cpp", "version": 1, "text": text or file.read_text(encoding="utf-8")}})
         while True:
