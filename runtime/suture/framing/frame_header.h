@@ -65,4 +65,12 @@ void appendFrame(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
 /// Returns the fault in words; the text is static.
 const char* toString(FrameFault fault);
 
+/// These say what to do about a peer that has let a deadline pass.
+inline constexpr const char* kSentNothing =
+    "see what the process at the other end says and does: it holds the connection open, and has "
+    "sent nothing for seconds. It hangs, has been stopped, or has no file descriptor left";
+inline constexpr const char* kFinishedNothing =
+    "see what the process at the other end says and does: it began a message, and has not finished "
+    "it for seconds. It hangs, has been stopped, or the network between the two is cut";
+
 }  // namespace suture::rpc

@@ -83,10 +83,8 @@ MessageStream::Reading MessageStream::waitAndRead() {
   auto readable = kj::mv(KJ_ASSERT_NONNULL(readable_));
   readable_ = nullptr;
   KJ_IF_MAYBE (deadline, readDeadline()) {
-    readable = readable.exclusiveJoin(port_.getTimer().atTime(*deadline).then([this] {
-      refuse(anyMessage_ ? "the peer did not finish a message in time"
-                         : "the peer sent no message in time");
-    }));
+    readable = readable.exclusiveJoin(port_.getTimer().atTime(*deadline).then(
+        [this] { refuse(incoming_.bytes().empty() ? kSentNothing : kFinishedNothing); }));
   }
   return readable.then([this] { return readBuffered(); });
 }

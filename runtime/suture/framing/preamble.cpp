@@ -71,9 +71,7 @@ kj::Promise<Opened> readPreamble(EventPort& port, ByteStream bytes, const Stream
   if (limits.firstMilliseconds == 0) return opened;
   auto late = port.getTimer()
                   .afterDelay(limits.firstMilliseconds * kj::MILLISECONDS)
-                  .then([]() -> kj::Promise<Opened> {
-                    return disconnected("the peer sent no message in time");
-                  });
+                  .then([]() -> kj::Promise<Opened> { return disconnected(kSentNothing); });
   return opened.exclusiveJoin(kj::mv(late));
 }
 
