@@ -52,6 +52,15 @@ def configuration(out):
             f"LAYOUT_FILE = {out}/layout.xml\nOUTPUT_DIRECTORY = {out}\n")
 
 
+def missing_headers(pages, configured):
+    """Yields the headers of the runtime that pages name and the site leaves out: neither a file nor a folder of INPUT."""
+    has = re.search(r"^INPUT = ((?:.*\\\n)*.*)$", configured, re.M)[1].replace("\\", " ").split()
+    for page in pages:
+        for header in sorted(set(re.findall(r"suture/[\w/]+\.h\b", page.read_text(encoding="utf-8")))):
+            if not any(f"runtime/{header}".startswith(one) for one in has):
+                yield f"{page.name} names {header}, which INPUT in Doxyfile leaves out"
+
+
 def broken_links(folder):
     for page in sorted(folder.glob("*.html")):
         text = page.read_text(encoding="utf-8", errors="replace")

@@ -12,6 +12,11 @@ import build  # noqa: E402
 
 
 class Site(unittest.TestCase):
+    def test_it_has_each_header_that_a_page_includes(self):
+        pages = [page for folder in (".", "tutorial", "howto") for page in sorted((SOURCE / "docs" / folder).glob("*.md"))]
+        text = (SOURCE / "docs/site/Doxyfile").read_text(encoding="utf-8")
+        self.assertEqual(list(build.missing_headers(pages, text)), [])
+
     def test_nothing_is_wrong_with_it(self):
         self.assertEqual(build.build(SCRATCH), [])
 
