@@ -12,9 +12,11 @@ import struct
 import subprocess
 import sys
 import tempfile
+from xml.etree import ElementTree
 
 from programs import Demo
 
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 LOOSE = 10  # times the demo's own bounds
 PROCESSES = {"single": 1, "fig3a": 2, "fig3b": 3, "fig3b_tasks": 20, "fig3c": 2}
 CONNECTIONS = {"single": 41, "fig3a": 41, "fig3b": 40, "fig3b_tasks": 40, "fig3c": 41}
@@ -100,6 +102,25 @@ def check_tables(output, topology):
     assert re.search(rf"(?m)^PSM1 +{'psm1' if topology == 'fig3b_tasks' else 'right|console'} ", tables)
 
 
+def without_numbers(line):
+    return re.sub(r"[\d.]+", "#", " ".join(line.split()))
+
+
+def check_documents_picture(output):
+    """Checks that docs/demo.svg shows this topology as the demo tells it: title, heads of tables, and as many connections."""
+    text = ElementTree.parse(ROOT / "docs/demo.svg").getroot().iter("{http://www.w3.org/2000/svg}text")
+    lines = ["".join(one.itertext()) for one in text]
+    said = output.split("\n")
+    connections = r"\d+ connections"
+    for shown in (line for line in lines if re.search(connections + ", lane", line)):
+        assert re.search(connections, shown)[0] == re.search(connections, said[0])[0], (shown, said[0])
+    heads = [line for before, line in zip(["", *said], said) if before == "" and line.count("  ") > 3]
+    heads += [line for line in said if "p99 so far" in line]
+    assert len(heads) == 6, heads
+    missing = {without_numbers(line) for line in [said[0], *heads]} - {without_numbers(line) for line in lines}
+    assert not missing, f"draw the picture anew by docs/site/demo_svg.py; it lacks {missing}"
+
+
 def check(result, topology, lane, network):
     failed = [one for one in result["checks"] if not one["passed"]]
     assert result["passed"] == (not failed), result["checks"]
@@ -139,6 +160,8 @@ def main():
             check(result, topology, lane, network)
             check_figures(result, programs / "suture-workstation")
             check_tables(output, topology)
+            if topology == "fig3c" and lane == "auto":
+                check_documents_picture(output)
             assert "\x1b" not in output, "colours in a pipe"
             assert demo.leftovers() == [], demo.leftovers()
         if places_knot:
