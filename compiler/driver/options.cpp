@@ -32,12 +32,16 @@ struct Split {
   // Takes one argument a line, literally, since no shell stands between the build system and us.
   static std::vector<std::string> responseFile(const std::string& path) {
     std::ifstream file(path);
-    if (!file) throw std::runtime_error("cannot read the response file '" + path + "'");
+    if (!file) {
+      throw std::runtime_error("cannot read the response file '" + path + "'; correct its path");
+    }
     std::vector<std::string> arguments;
     for (std::string line; std::getline(file, line);) {
       if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line.starts_with('@'))
-        throw std::runtime_error("response file '" + path + "' names another");
+      if (line.starts_with('@')) {
+        throw std::runtime_error("response file '" + path +
+                                 "' names another; write the arguments of that one into it");
+      }
       if (!line.empty()) arguments.push_back(line);
     }
     return arguments;
@@ -51,7 +55,10 @@ std::pair<std::string, unsigned> sourcesOf(const std::string& text) {
   const bool isNumber = !digits.empty() && digits.size() < 4 &&
                         digits.find_first_not_of("0123456789") == std::string::npos;
   const unsigned count = isNumber ? static_cast<unsigned>(std::stoul(digits)) : 0;
-  if (count == 0) throw CLI::ValidationError("--sources", "'" + text + "' is not HEADER=N");
+  if (count == 0) {
+    throw CLI::ValidationError("--sources",
+                               "'" + text + "' is not HEADER=N, where N is from 1 to 999");
+  }
   return {text.substr(0, equals), count};
 }
 

@@ -25,17 +25,21 @@ void checkHeaders(const Options& options) {
   const fs::path base = fs::weakly_canonical(options.baseDirectory);
   for (const std::string& header : options.headers) {
     if (!fs::is_regular_file(header)) {
-      throw std::runtime_error("there is no header '" + header + "'");
+      throw std::runtime_error("there is no header '" + header +
+                               "'; correct the path among the target's HEADERS");
     }
     const fs::path relative = fs::weakly_canonical(header).lexically_relative(base);
     if (relative.empty() || *relative.begin() == "..") {
       throw std::runtime_error("header '" + header + "' is not below the base directory '" +
                                options.baseDirectory + "'; pass its include root as --base-dir");
     }
-    if (relative.extension() != ".h" || relative.string().ends_with(".suture.h")) {
-      throw std::runtime_error("header '" + header +
-                               "' does not end with .h, so that the names of " +
-                               "its generated files cannot be told from it");
+    if (relative.extension() != ".h") {
+      throw std::runtime_error("header '" + header + "' does not end with .h; rename it, since " +
+                               "generated files are named after it");
+    }
+    if (relative.string().ends_with(".suture.h")) {
+      throw std::runtime_error("header '" + header + "' is what suturec writes; name the header " +
+                               "that it was written from");
     }
   }
 }

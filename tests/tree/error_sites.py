@@ -1,14 +1,15 @@
 """Finds where the sources make a message that a user can meet while a system is set up.
 
 A site is a call that makes a SetupError or UsageError, one of a helper that does (refuse, report, locate), or a Refusal that
-a process sends another. Its words are those of the message, `...` standing for what differs each time.
+a process sends another; in the driver of suturec, one that makes an exception. Its words are those of the message, `...` standing for what differs each time.
 """
 
 import re
 import typing
 
-FOLDERS = ("runtime", "components", "examples")
 MAKERS = re.compile(r"\b(SetupError|UsageError|DocumentError|refuse|report|locate|failure|disconnected|problems_?\.push_back)\s*\(|\{\s*(?=Kind::)")
+MAKERS_OF_DRIVER = re.compile(r"\b(runtime_error|ValidationError)\s*\(")
+FOLDERS = {"runtime": MAKERS, "components": MAKERS, "examples": MAKERS, "compiler/driver": MAKERS_OF_DRIVER}
 OF_ANOTHER = re.compile(r"\.what\(\)|\blocate\(|\bwarn\(")  # what is made around another message has no row of its own
 LEAST = 9  # letters, a space among them, that tell one message from another
 ANY = "..."
@@ -95,12 +96,12 @@ def patterns(page):
 
 def sites(root):
     """Yields each Site of a tree."""
-    for folder in FOLDERS:
+    for folder, makers in FOLDERS.items():
         for path in sorted((root / folder).rglob("*")):
             if path.suffix not in (".cpp", ".h"):
                 continue
             text = without_comments(path.read_text(encoding="utf-8"))
-            for match in MAKERS.finditer(text):
+            for match in makers.finditer(text):
                 given = arguments(text, max(text.rfind(one, 0, match.end()) for one in "({"))
                 helper = given[-1] == "remedy" or (match[1] != "SetupError" and OF_ANOTHER.search(given[-1]))
                 if helper:

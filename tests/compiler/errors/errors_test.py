@@ -64,17 +64,24 @@ def check_case(suturec, flags, header, record):
     return [f"{header.name}: {p}" for p in problems]
 
 
+# These are in OUT before each command line of USAGE.
+FILES = {"arm.suture.h": "", "first.rsp": "@second.rsp\n"}
+
 # Each row has a faulty command line, run in cases/, and the words that must come.
 USAGE = [
     ("--out OUT --lock-dir schemas", "headers is required"),
     ("--lock-dir schemas pointer.h", r"--out \(or --update-lock\) is required"),
     ("--out OUT pointer.h", "--lock-dir is required"),
-    ("--out OUT --lock-dir schemas missing.h", "there is no header 'missing.h'"),
+    ("--out OUT --lock-dir schemas missing.h", "there is no header 'missing.h'; correct the path among the target's HEADERS"),
     ("--out OUT --lock-dir schemas ../include/suture/base/time.h", "is not below the base directory '.'"),
-    ("--out OUT --lock-dir schemas pointer.err", "does not end with .h"),
-    ("--out OUT --base-dir ../include --lock-dir schemas ../include/suture/base/time.h", "declares nothing annotated"),
-    ("--out OUT --lock-dir schemas --resource-dir /nowhere pointer.h", "install libclang-common-19-dev"),
-    ("@missing.rsp", "cannot read the response file 'missing.rsp'"),
+    ("--out OUT --lock-dir schemas pointer.err", "does not end with .h; rename it"),
+    ("--out OUT --base-dir OUT --lock-dir schemas OUT/arm.suture.h", "is what suturec writes; name the header that it was written from"),
+    ("--out OUT --base-dir ../include --lock-dir schemas ../include/suture/base/time.h", "declares nothing annotated; annotate it or take it off"),
+    ("--out OUT --lock-dir schemas --resource-dir /nowhere pointer.h", 
+     r"clang's own headers \(include/stddef.h\) are in none of these folders:\n  /nowhere\ninstall libclang-common-19-dev"),
+    ("@missing.rsp", "cannot read the response file 'missing.rsp'; correct its path"),
+    ("@OUT/first.rsp", "names another; write the arguments of that one into it"),
+    ("--out OUT --lock-dir schemas --sources pointer.h=0 pointer.h", "'pointer.h=0' is not HEADER=N, where N is from 1 to 999"),
     ("--out OUT --lock-dir schemas --colour pointer.h", "was not expected: --colour"),
     ("--out OUT --lock-dir schemas --accept-break pointer.h", "--accept-break requires --update-lock"),
     ("--update-lock --lock-dir schemas/lock_new --new-id Nothing lock_new.h -- -I../include",
@@ -124,6 +131,8 @@ def check_version(suturec):
 
 def check_usage(suturec, arguments, words):
     with tempfile.TemporaryDirectory() as out:
+        for name, text in FILES.items():
+            (pathlib.Path(out) / name).write_text(text, encoding="utf-8")
         command = [suturec, *arguments.replace("OUT", out).split()]
         done = subprocess.run(command, cwd=CASES, capture_output=True, text=True, timeout=TIME_LIMIT)
         text = done.stdout + done.stderr
