@@ -1,5 +1,6 @@
 """docs/errors has what a user can meet: for each enumerator of suture::Errc one page, and one row in the README's table,
-both with the text of toString(). Its pages on set-up have a row for each message that the sources make, and no other.
+both with the text of toString(). Its pages on set-up have a row for each message that the sources make, and no other; the
+page on what a running process says has no row for a line that no source has.
 
   error_pages_test.py ROOT      checks that tree, and that violations planted in a small one are found
 """
@@ -15,6 +16,7 @@ import error_sites
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
 MAX_LINES = 40
 SET_UP = "set-up"  # is how the names of those pages begin
+RUNNING = "running.md"
 
 
 def enumerators(root):
@@ -79,12 +81,12 @@ def violations(root):
         if found != [(name, page, text_of.get(name))]:
             yield f"docs/errors/README.md: one row has to begin with | [{name}]({page}) | {text_of.get(name)} |, found {found}"
     set_up = sorted((name, page) for name, page in pages.items() if name.startswith(SET_UP))
-    for page in sorted(pages.keys() - {page_of(name) for name in names} - {"README.md"} - {name for name, _ in set_up}):
+    for page in sorted(pages.keys() - {page_of(name) for name in names} - {"README.md", RUNNING} - {name for name, _ in set_up}):
         yield f"docs/errors/{page} explains what no enumerator is"
     for name, _, _ in rows(readme):
         if name not in names:
             yield f"docs/errors/README.md has a row for {name}, which no enumerator is"
-    yield from unknown_messages(root, set_up)
+    yield from unknown_messages(root, [*set_up, (RUNNING, pages.get(RUNNING, ""))])
     yield from missing_messages(root, set_up)
     for page, text in sorted(pages.items()):
         if not page.startswith(SET_UP) and text.count("\n") > MAX_LINES:
@@ -148,6 +150,11 @@ class Planted(unittest.TestCase):
         self.write("runtime/suture/net/address.cpp", 'refuse(text, "it has "\n    "no path", "Write one");\n')
         self.write("docs/errors/set-up-net.md", "| `it has no path` | so | do |\n| `it has ... no port at all` or `it has` | so | do |\n")
         self.expect("no source says 'it has ... no port at all'", "too many messages have 'it has'")
+
+    def test_a_line_of_a_running_process_that_no_source_has(self):
+        self.write("runtime/suture/deploy/host.cpp", 'tell(name + " is lost, " + why);\n')
+        self.write("docs/errors/running.md", "| `is lost, ...` | so | do |\n| `is found again` | so | do |\n")
+        self.expect("running.md: no source says 'is found again'")
 
     def test_a_message_without_a_row(self):
         self.write("docs/errors/set-up.md", "| `it has more ... of ...` or `there are no` | so | do |\n")

@@ -58,7 +58,10 @@ std::string_view patternIn(std::string_view cell, std::string_view words) {
   return "";
 }
 
-/// Is a row of a page on set-up that is about a message.
+/// Returns true for the pages that have tables of messages.
+bool hasTables(std::string_view page) { return page.starts_with("set-up") || page == "running"; }
+
+/// Is a row of such a page that is about a message.
 struct Row {
   std::string_view page, pattern, cause, remedy;
 };
@@ -66,7 +69,7 @@ struct Row {
 std::vector<Row> rowsOf(std::string_view words) {
   std::vector<Row> rows;
   for (const auto& [name, page] : errorPages()) {
-    if (!name.starts_with("set-up")) continue;
+    if (!hasTables(name)) continue;
     for (std::size_t at = page.find("\n| `"); at != std::string_view::npos;
          at = page.find("\n| `", at + 1)) {
       const std::size_t end = std::min(page.find('\n', at + 1), page.size());
@@ -79,7 +82,7 @@ std::vector<Row> rowsOf(std::string_view words) {
   return rows;
 }
 
-std::string setUpError(const std::string& words) {
+std::string rowsAsText(const std::string& words) {
   std::string text;
   for (const Row& row : rowsOf(words)) {
     text += "why it happens: " + std::string(row.cause) +
@@ -103,7 +106,7 @@ std::string explainError(const std::string& words) {
     found = page;
     foundText = text;
   }
-  return found.empty() ? setUpError(words) : std::string(found);
+  return found.empty() ? rowsAsText(words) : std::string(found);
 }
 
 std::string whatToAsk(const std::string& message) {

@@ -34,6 +34,14 @@ TEST(ErrorPages, AMessageOfSetUpHasItsRow) {
   EXPECT_EQ(explainError("anything: something else. Do this"), "");
 }
 
+TEST(ErrorPages, ALineOfARunningProcessHasItsRow) {
+  const std::string row = explainError(
+      "robot: connection 'a:B/C -> d:E/F' is lost, silent: its process has not answered for 2000 "
+      "ms. It is connected anew when that process goes on");
+  EXPECT_TRUE(row.starts_with("why it happens: The other process is stopped")) << row;
+  EXPECT_TRUE(row.ends_with("others like it: suture why running\n")) << row;
+}
+
 TEST(ErrorPages, OneRowMayBeAboutSeveralMessages) {
   const std::string one = explainError("keep keys in /x: no. Give a folder in one that exists.");
   EXPECT_NE(one, "");
