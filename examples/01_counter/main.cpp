@@ -3,6 +3,7 @@
 // 01_counter client     / `suture-manager` must run
 
 #include <suture/base/errors.h>
+#include <suture/base/plain.h>
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
 
@@ -41,7 +42,7 @@ int main(int argc, char** argv) {
   try {
     run(argc > 1 ? argv[1] : "both");
   } catch (const suture::SetupError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", suture::explained(error.what()).c_str());
     return 1;
   }
 }

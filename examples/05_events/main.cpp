@@ -2,6 +2,7 @@
 // gripper has a thread of its own; both listeners belong to this one.
 
 #include <suture/base/errors.h>
+#include <suture/base/plain.h>
 #include <suture/manager/manager.h>
 
 #include <chrono>
@@ -61,7 +62,7 @@ int main() {
   try {
     run();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", suture::explained(error.what()).c_str());
     return 1;
   }
 }

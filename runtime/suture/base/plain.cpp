@@ -39,13 +39,15 @@ std::string quotedForShell(std::string_view text) {
   return quoted + "\"";
 }
 
-std::string whyCommand(std::string_view message) {
+std::string explained(std::string_view message) {
+  // The page knows the message without its place in a file.
   constexpr std::string_view kPlace = ": error: ";
-  message = message.substr(0, message.find('\n'));
-  if (const auto place = message.find(kPlace); place != std::string_view::npos) {
-    message.remove_prefix(place + kPlace.size());
+  std::string_view first = message.substr(0, message.find('\n'));
+  if (const auto place = first.find(kPlace); place != std::string_view::npos) {
+    first.remove_prefix(place + kPlace.size());
   }
-  return "suture why " + quotedForShell(plain(std::string(message)));
+  return std::string(message) + "\n`suture why " + quotedForShell(plain(std::string(first))) +
+         "` tells more";
 }
 
 }  // namespace suture

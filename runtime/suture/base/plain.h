@@ -1,5 +1,6 @@
 #pragma once
-// This makes texts fit to be shown, whoever wrote them, and to be copied into a shell.
+// This makes texts fit to be shown, whoever wrote them, and to be copied into a shell; and it leads
+// from an error to its page.
 
 #include <cstddef>
 #include <string>
@@ -17,8 +18,8 @@ void assignCut(std::string& out, std::string_view text, std::size_t capacity);
 /// Returns `text` in double quotes, in which a shell takes it for one word and changes nothing.
 std::string quotedForShell(std::string_view text);
 
-/// Returns the command that tells more of a message: `suture why "..."`, with the first line of it
-/// and without its place in a file.
-std::string whyCommand(std::string_view message);
+/// Returns `message`, for example the what() of a SetupError, and in a line of its own the command
+/// that tells more of its first line: `suture why "..."` tells more. Any thread; it allocates.
+std::string explained(std::string_view message);
 
 }  // namespace suture

@@ -284,16 +284,11 @@ void tell(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::fprintf(stderr, "%s\n", line.c_str());
 }
 
-/// Tells what is wrong, and how to learn more of the first line of it.
-void tellErrors(const std::string& errors) {
-  std::fprintf(stderr, "%s\n`%s` tells more\n", errors.c_str(), whyCommand(errors).c_str());
-}
-
 int check(const Options& options, std::span<const ComponentClass> classes) {
   const Checked found = checkDeployment(options.deployment, options.process, classes);
   tell(found.warnings);
   if (!found.problems.empty()) {
-    tellErrors(DocumentError(found.problems).what());
+    tell({explained(DocumentError(found.problems).what())});
     return kFailed;
   }
   return print(options.deployment + ": no mistake in " + found.subject + "\n");
@@ -324,7 +319,7 @@ int workstationMain(int argc, const char* const* argv, std::span<const Component
   try {
     return options.check ? check(options, classes) : runWorkstation(options, classes);
   } catch (const std::exception& error) {
-    tellErrors(error.what());
+    tell({explained(error.what())});
     return kFailed;
   }
 }

@@ -93,8 +93,7 @@ int main(int argc, char** argv) {
   try {
     return run(app, options, argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "suture-manager: %s\n`%s` tells more\n", error.what(),
-                 suture::whyCommand(error.what()).c_str());
+    std::fprintf(stderr, "suture-manager: %s\n", suture::explained(error.what()).c_str());
     return kFailed;
   }
 }

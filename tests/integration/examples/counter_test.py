@@ -25,7 +25,9 @@ class Counter(Example):
         self.counts("client")
 
     def test_without_a_manager_the_client_says_what_to_start(self):
-        self.assertIn("suture-manager", self.refusal_of(self.start("01_counter", "client")))
+        refusal = self.refusal_of(self.start("01_counter", "client"))
+        self.assertIn("suture-manager", refusal)
+        self.assertRegex(refusal, '(?m)^`suture why "reach the global manager: .*"` tells more$')
 
 
 unittest.main()

@@ -17,10 +17,13 @@ TEST(Errors, HaveDifferentTexts) {
   EXPECT_FALSE(texts.contains("unknown error"));
 }
 
-TEST(WhyCommand, CanBeCopiedIntoAShell) {
-  EXPECT_EQ(whyCommand("d.json:3: error: no class 'A'; add \"library\"\nd.json:4: error: more"),
-            "suture why \"no class 'A'; add \\\"library\\\"\"");
-  EXPECT_EQ(whyCommand("open $HOME: `no`\x1b"), "suture why \"open \\$HOME: \\`no\\`?\"");
+TEST(Errors, AreExplainedByACommandForAShell) {
+  const std::string several =
+      "d.json:3: error: no class 'A'; add \"library\"\nd.json:4: error: more";
+  EXPECT_EQ(explained(several),
+            several + "\n`suture why \"no class 'A'; add \\\"library\\\"\"` tells more");
+  EXPECT_EQ(explained("open $HOME: `no`\x1b"),
+            "open $HOME: `no`\x1b\n`suture why \"open \\$HOME: \\`no\\`?\"` tells more");
 }
 
 TEST(Errors, AreNoneWhereTheCodeIsZero) { EXPECT_STREQ(toString(Errc{}), "no error"); }
