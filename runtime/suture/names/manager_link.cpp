@@ -59,7 +59,9 @@ kj::Promise<void> ManagerLink::open(Duration patience) {
       .then([this, deadline, failures]() -> kj::Promise<void> {
         if (!failures->complete()) return kj::READY_NOW;
         const Duration left = deadline - now();
-        const bool mayHelp = failures->first(Type::DISCONNECTED) != nullptr;
+        // One that accepts a link and does not answer is stopped, perhaps for a moment only.
+        const bool mayHelp = failures->first(Type::DISCONNECTED) != nullptr ||
+                             failures->first(Type::OVERLOADED) != nullptr;
         if (!mayHelp || left <= Duration{0}) return notOpen(*failures);
         return control_.timer()
             .afterDelay(rpc::toKj(std::min(left, kPause)))

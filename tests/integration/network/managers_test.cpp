@@ -5,6 +5,7 @@
 #include <suture/manager/manager.h>
 
 #include <csignal>
+#include <future>
 #include <memory>
 
 #include "integration/network/arm.h"
@@ -120,6 +121,26 @@ TEST_P(ManagersTest, AFailedSearchNamesAllManagers) {
   const std::string error = refusal([&] { Manager("left", all_, 20ms); });
   EXPECT_TRUE(contains(error, "suture-manager --listen " + first_->address)) << error;
   EXPECT_TRUE(contains(error, second_->address)) << error;
+}
+
+// One question to a manager has 2 s, so this start has to ask again.
+TEST_P(ManagersTest, AStartAwaitsAStoppedManagerForItsPatience) {
+  first_->signal(SIGSTOP);
+  const Time began = now();
+  const std::string error = refusal([&] { Manager("left", first_->address, 2500ms); });
+  EXPECT_GE(now() - began, 2500ms);
+  EXPECT_TRUE(
+      contains(error, "talk to " + first_->address + ": what listens there does not answer"))
+      << error;
+  first_->signal(SIGCONT);
+}
+
+TEST_P(ManagersTest, AStartSucceedsWhenAStoppedManagerGoesOn) {
+  first_->signal(SIGSTOP);
+  auto started = std::async(std::launch::async, [&] { Manager("left", first_->address); });
+  EXPECT_EQ(started.wait_for(2500ms), std::future_status::timeout) << "it has to wait";
+  first_->signal(SIGCONT);
+  started.get();
 }
 
 TEST_P(ManagersTest, AConnectionWaitsForAManager) {
