@@ -16,12 +16,12 @@ at 1 kHz, and the run is judged. Exit status 0 only if all went well.
   --network auto|unix|tcp|tls|namespaces
                                  what processes talk over: TLS between a network namespace for each process (auto, as root), TCP
                                  on loopback (auto, as anybody else), Unix sockets (auto with --lane shm), or TLS on loopback
-  --break PROCESS@TIME           cut a process off during the run, vision@4s or vision@4s+1500ms: its cable is pulled; without
-                                 namespaces it is frozen. What it drives, or is driven through it, has to hold, and not to jump
+  --break PROCESS@TIME           cut a process off during the run, vision@4s or vision@4s+1500ms: its cable is pulled, or without
+                                 namespaces it is frozen. The arms that depend on it have to hold, and not to jump
   --stop TIME                    press the emergency stop during the run, 6s or 6s+1500ms; both slaves have to hold, and not to jump
   --seconds N                    how long to run (default 10)
-  --rate HZ                      cycles a second of teleoperations (default 1000); arms and their drives run at half as much again;
-                                 cameras and what looks at their images keep their periods, and connections the ages they permit
+  --rate HZ                      cycles of teleoperations a second (default 1000). Arms and their drives run 1.5 times as often;
+                                 cameras and what looks at their images keep their periods, and connections keep their max_age
   --dynamics Lag|RigidBody       what the drives simulate: joints without mass (as in the files), or bodies that have mass
   --json FILE                    also write all figures to FILE
   --picture FILE                 where a knot is placed: write the scene at the end as the endoscope sees it, and how the knot

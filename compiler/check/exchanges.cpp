@@ -6,7 +6,7 @@
 namespace suture::compiler::check {
 namespace {
 
-/// Is something that may have been called otherwise.
+/// A declaration, and the name that it had before.
 struct Named {
   std::string subject;
   std::optional<std::string> was;  ///< as written
@@ -23,7 +23,8 @@ const Named* find(const std::vector<Named>& all, const std::string& name) {
   return nullptr;
 }
 
-/// Tells if one was() after the other leads from `first` back to it.
+/// Returns true if `first` was renamed in a circle: its was() names another declaration, whose
+/// was() names a third, and so on until one names `first`.
 bool isExchanged(const Named& first, const std::vector<Named>& all) {
   const Named* one = &first;
   for (std::size_t steps = 0; one != nullptr && one->was && steps < all.size(); ++steps) {
@@ -38,7 +39,8 @@ void checkExchanges(const std::vector<Named>& all, model::Diagnostics& findings)
     if (!isExchanged(one, all)) continue;
     addError(findings, one.source, "exchanged-names",
              one.subject + " says was(\"" + *one.was +
-                 "\"), and the names lead back to it; a lock cannot tell whether that was done",
+                 "\"), and what has that name now was renamed in turn, back to the name of " +
+                 one.subject + "; a lock cannot tell whether the names are exchanged already",
              "rename one of them to a new name first, and update the lock in between");
   }
 }

@@ -40,8 +40,8 @@ class Walk {
   const model::Lookup& lookup_;
   const std::function<bool(const Place&)>& visit_;
   std::set<std::string> open_;
-  // Each level of a type may have several members of the next, so that to enter a struct by each
-  // way there is takes time that doubles with every level.
+  // Each struct is entered once. A struct may have several members of one type, and that type
+  // several of a third; if each way to it were taken, the time would double with every level.
   std::set<std::string> done_;
 };
 

@@ -23,7 +23,7 @@ constexpr std::array<string_view, 12> kPlain{"1",   "%",    "min", "h",  "d",   
 constexpr std::array<string_view, 11> kPrefixes{"p", "n", "u", "m", "c", "d",
                                                 "h", "k", "M", "G", "T"};
 
-// These are what a wrong spelling is likely to mean.
+// A unit that is spelled wrongly probably means one of these.
 constexpr std::array<string_view, 74> kCommon{
     "1",     "%",       "m",     "mm",        "um",     "nm",     "km",     "m2",   "mm2",   "m3",
     "mm3",   "l",       "ml",    "rad",       "mrad",   "deg",    "sr",     "s",    "ms",    "us",

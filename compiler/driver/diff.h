@@ -6,9 +6,9 @@
 
 namespace suture::compiler::driver {
 
-/// Says what changed between two schema files or two folders of them. Only of folders it can tell
-/// where a type that left a file is now. Returns the exit status: 0 if peers of the old
-/// version still work, 1 if they do not, 2 if the question cannot be answered.
+/// Prints what changed between two schema files, or between two folders of them. Between folders it
+/// also finds a type that has moved from one file to another. Returns the exit status: 0 if peers
+/// of the old version still work, 1 if they do not, 2 if the question cannot be answered.
 int diff(std::vector<std::string> arguments);
 
 }  // namespace suture::compiler::driver

@@ -3,8 +3,8 @@
 
 namespace suture::compiler::driver {
 
-/// Prints a line for each file that a header gives: what a build does with it, and its ending.
-/// Returns the exit status.
+/// Prints a line for each file that suturec writes for a header: what a build does with the file,
+/// and how its name ends. Returns the exit status.
 int listOutputs();
 
 }  // namespace suture::compiler::driver

@@ -7,9 +7,9 @@
 
 namespace suture::compiler::driver {
 
-/// Returns "arm/arm.capnp": the header's lock word for word, so that the build compiles what was
-/// checked; an empty schema for a header that declares nothing for a wire, so that all headers
-/// build alike.
+/// Returns the schema "arm/arm.capnp" that the build compiles. It is the header's lock word for
+/// word, so that what is compiled is what was checked. A header that declares nothing for a wire
+/// gets an empty schema, because the build expects one of every header.
 model::Artefact wireSchema(const model::Header& header, const lock::Locks& locks);
 
 }  // namespace suture::compiler::driver

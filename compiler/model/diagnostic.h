@@ -1,6 +1,6 @@
 #pragma once
-// This is a finding about the model. check/ and lock/ produce them; the frontend, which still has
-// the source, prints them in clang's form with caret and help.
+// A diagnostic is what suturec finds wrong with a model. check/ and lock/ make diagnostics, and the
+// frontend, which still has the source, prints them in clang's form with a caret and help.
 
 #include <string>
 #include <vector>
@@ -14,9 +14,9 @@ struct Note {
   std::string text;
 };
 
-/// Is a change of the header that settles a finding.
+/// A change of the header after which the finding is gone.
 struct Fix {
-  enum class Place { Before, After, Instead };  ///< of what `source` spans
+  enum class Place { Before, After, Instead };  ///< where `text` goes, seen from `source`
 
   Source source;
   Place place = Place::Before;
@@ -33,7 +33,7 @@ struct Diagnostic {
   std::string help;  ///< what to do; printed as a note
   std::vector<Note> notes;
   Severity severity = Severity::Error;
-  std::vector<Fix> fixes{};  ///< all of them together
+  std::vector<Fix> fixes{};  ///< it takes all of them to mend the finding
 };
 
 using Diagnostics = std::vector<Diagnostic>;

@@ -8,8 +8,8 @@
 
 namespace suture::compiler::model {
 
-/// Is what suturec itself puts among the methods, parameters, events and columns of every contract,
-/// by wire name.
+/// suturec itself puts these among the methods, parameters, events and columns of every contract.
+/// They are names on the wire.
 inline constexpr std::string_view kBuiltInMethod = "subscribe";
 inline constexpr std::string_view kBuiltInParameter = "sent";
 inline constexpr std::array<std::string_view, 1> kBuiltInEvents{"state"};
@@ -30,8 +30,8 @@ std::string unqualified(std::string_view cxxName);
 /// Turns "robots::arm::PoseStamped" into "robots::arm"; "" at global scope.
 std::string namespaceOf(std::string_view cxxName);
 
-/// Returns the name in the was() of what is called `name`. If it is not qualified, it gets the
-/// namespace of `name`.
+/// Returns the qualified name that the declaration `name` had before, as its was() gives it;
+/// nothing if it has none. A was() without a namespace means that of `name`.
 std::optional<std::string> formerName(const std::string& name,
                                       const std::optional<std::string>& was);
 
@@ -41,7 +41,7 @@ std::string wireNamespace(std::string_view cxxNamespace);
 /// Turns "arm/arm.h" into "arm/arm": what the names of all its artefacts begin with.
 std::string stemOf(std::string_view headerPath);
 
-/// Puts '_' in the place of all that names on the wire cannot have; slashes stay.
+/// Replaces each character that no name on the wire can have by '_'. Slashes stay.
 std::string plainPath(std::string path);
 
 }  // namespace suture::compiler::model

@@ -13,7 +13,7 @@
 
 namespace robots {
 
-/// Writes a line that says how many records are not in the file until there.
+/// Writes a line that says how many records before it are missing in the file.
 void writeLost(std::ostream& out, std::uint64_t count);
 
 /// One thread. Reads the lines of JSON that a RecordingWriter writes, even while it does.
@@ -26,10 +26,10 @@ class RecordingLines {
   /// Calls `take` with each whole line that is new since the last call; with none before the file
   /// exists. Throws suture::SetupError that names the file and the line if `take` cannot read it.
   void next(const Take& take);
-  /// Reads the rest, once the file is not written any more. Also throws if the file was never
-  /// there, or ends within a line.
+  /// Does the same for the rest, once nobody writes the file any more. Throws too if the file does
+  /// not exist, or ends within a line.
   void rest(const Take& take);
-  /// Returns how many records are not in the file, by what has been read.
+  /// Returns how many records are missing in the file, as the lines that have been read say.
   std::uint64_t lost() const { return lost_; }
 
  private:

@@ -18,12 +18,12 @@
 
 namespace robots {
 
-/// Has a ring that a task fills, and a task of its own that writes it to the file, twenty times a
-/// second. The destructor writes what is left. A start that is refused leaves an earlier recording:
-/// call open() when the owner is configured, and begin() when it starts. Rows that are lost are
-/// told in the file as soon as that takes anything, and the first of them on standard error. A row
-/// must have a function write(std::ostream&, row) in its own namespace, and must be copied without
-/// an allocation.
+/// A task pushes rows into a ring, and a task of this object writes them to the file, twenty times
+/// a second. The destructor writes what is left. Call open() when the owner is configured, and
+/// begin() when it starts: until begin() the file keeps an earlier recording, which so survives a
+/// start that is refused. Rows that do not get into the file are counted in it as soon as it takes
+/// something again, and the first loss is told on standard error. A row must have a function
+/// write(std::ostream&, row) in its own namespace, and must be copied without an allocation.
 template <class Row>
 class RecordingWriter final : private suture::PeriodicTask {
  public:
@@ -85,7 +85,7 @@ class RecordingWriter final : private suture::PeriodicTask {
     }
   }
 
-  // The file cannot tell of this.
+  // The file takes nothing, so standard error has to tell.
   void complain() {
     if (std::exchange(complained_, true)) return;
     std::fprintf(stderr, "%s\n", file_.refusal().what());

@@ -59,8 +59,8 @@ class RunFolder {
   fs::path path_;
 };
 
-/// Call this after all other options are declared: with this one nothing runs, so that none of them
-/// could have an effect.
+/// Call this after all other options are declared. It refuses each of them beside --compare, which
+/// runs nothing, so that no other option could have an effect.
 void declareComparison(CLI::App& app, demo::Options& options) {
   const auto others = app.get_options(
       [](const CLI::Option* one) { return one->get_lnames() != std::vector<std::string>{"help"}; });
@@ -109,10 +109,9 @@ void declare(CLI::App& app, demo::Options& options) {
       ->check(CLI::Range(1.0, 86400.0));
   app.add_option(
          "--rate", options.rate,
-         "Cycles a second of teleoperations, Hz; arms, their drives and recorders run at half as "
-         "much again; cameras and what looks at their images keep their periods, and connections "
-         "the ages they permit. At less than 100 Hz a slave moves as far in one cycle as it may be "
-         "off in all")
+         "Cycles of teleoperations a second, Hz. Arms, their drives and recorders run 1.5 times as "
+         "often. Cameras and what looks at their images keep their periods, and connections keep "
+         "their max_age. Below 100 Hz a slave would move further in one cycle than it may be off")
       ->capture_default_str()
       ->check(CLI::Range(100.0, 10000.0));
   app.add_option("--dynamics", options.dynamics,

@@ -1,5 +1,5 @@
 #pragma once
-// With this a fuzzer says that something does not hold.
+// A fuzzer ends by this when a condition does not hold, which libFuzzer reports with its input.
 
 #include <cstdlib>
 

@@ -10,11 +10,12 @@ namespace {
 using model::Type;
 using Shape = Type::Shape;
 
-// Below this size it costs more to tell what is used than to copy all of it.
+// A slot below this size is copied as a whole, because to find its used part would cost more.
 constexpr std::uint64_t kSmall = 256;
 
-/// Finds the levels that lie in no other, and in no array or variant: an array has one for each
-/// element, and what a variant holds depends on the value. Those are copied whole.
+/// Finds the levels of which only the used part is copied: those that lie in no other level, no
+/// array and no variant. An array has a level for each element, and what a variant holds depends on
+/// the value, so both are copied as a whole.
 class Levels {
  public:
   Levels(std::string slot, const Context& context) : slot_(std::move(slot)), context_(context) {}

@@ -1,5 +1,6 @@
 #pragma once
-// This is where joints shall be, and the move or the line along which that changes by itself.
+// A setpoint says where joints are to be. A move or a line may be under way, along which it changes
+// in each cycle.
 
 #include <suture/base/time.h>
 
@@ -25,7 +26,7 @@ class Setpoint {
   explicit Setpoint(const Limits& limits) : limits_(limits), rate_(limits.rate) {}
 
   const Joints& joints() const { return joints_; }
-  /// Returns how fast it changes, whatever changes it.
+  /// Returns how fast joints() changes, whether by put(), by a move or by a line.
   Joints rate() const { return rate_.rate(); }
   bool isMoving() const { return move_.has_value(); }
   /// Returns true if a move or a line has begun since the last step().
@@ -58,9 +59,9 @@ class Setpoint {
     planMove(goal, now);
     begun_ = true;
   }
-  /// Returns how long a line to a goal that comes now shall take, in s, because the next goal is
-  /// expected to come as much later as this one does after that of the present line. With 0 it
-  /// takes as long as the rates need.
+  /// Returns how long a line to a goal that comes now should take, in s: as long as it took this
+  /// goal to come after the last one, since the next is expected to take as long. Returns 0 if no
+  /// stream of goals is under way; the line then takes as long as the rates need.
   double untilNextGoal(suture::Time now) const {
     constexpr double kLongest = 0.5;  // s; goals further apart are no stream
     if (!line_) return 0;
@@ -74,7 +75,8 @@ class Setpoint {
     planLine(goal, now, wanted);
     begun_ = true;
   }
-  /// Rests where the joints are, and begins what leads to a goal anew from there.
+  /// Puts the setpoint at `joints`, at rest. A move or a line that is under way is planned anew
+  /// from there to its goal.
   void beginAnew(const Joints& joints, suture::Time now) {
     rest(joints);
     if (move_) planMove(Joints(move_->to()), now);

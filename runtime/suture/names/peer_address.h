@@ -14,8 +14,8 @@ rpc::Address longestPeerAddress(const rpc::Address& manager, const std::string& 
 
 /// Returns an address next to the manager's: a socket in the same directory, or a free port at the
 /// address by which this machine reaches it. Removes what dead processes of this name have left in
-/// that directory, since a process that was killed cannot. Who listens there is told if the path is
-/// too long.
+/// that directory, since a process that was killed cannot. It does not check how long the path is:
+/// the listener refuses one that is too long.
 rpc::Address peerAddress(const ManagerLink& link, const std::string& process);
 
 }  // namespace suture

@@ -75,7 +75,8 @@ std::string Registry::whyTooMuch(const std::string& name, std::size_t asked,
            ". Divide it into several.";
   }
   if (isNew && processes_.size() == kMaxProcesses) {
-    return "the manager knows as many processes as it can. Stop some.";
+    return "the manager knows " + std::to_string(kMaxProcesses) +
+           " processes, and knows no more. Stop those that are not needed.";
   }
   if (isNewOfLink && holding.names == kMostNamesOfALink) {
     return "its link holds " + std::to_string(kMostNamesOfALink) +
@@ -169,8 +170,8 @@ Refusal Registry::unknown(const std::string& name, std::uint32_t waitedMilliseco
   const auto silent = processes_.find(name);
   if (silent != processes_.end()) {
     return {Kind::NO_SUCH_PROCESS, "find process '" + name + "': " + title(silent->second.process) +
-                                       " has been silent for longer than its lease. Look at what "
-                                       "it is doing, or start another of that name."};
+                                       " has not renewed its name in time. See what it does, or "
+                                       "start another of that name."};
   }
   std::vector<std::string> names;
   for (const auto& [known, entry] : processes_) names.push_back(known);

@@ -27,7 +27,7 @@ std::vector<std::string> paperCells(const paper::Row& row) {
   return {"|", number(row.mean, 3), number(row.std, 3), number(row.min, 3), number(row.max, 3)};
 }
 
-/// Measures, reports and puts in the table one loop of one policy.
+/// Measures one loop under one policy, reports its figures and adds its rows to the table.
 class LoopRows {
  public:
   LoopRows(const Policy& policy, Loop loop, Table& table, Report& report)
@@ -127,7 +127,7 @@ std::string periodicRows(const Table2Options& options, Report& report) {
       "The paper's values are quantised by a clock of 4 ms: its minima, maxima and deviations say "
       "nothing of latency, its means only by their difference.\n"
       "At such periods the phase of the two tasks decides, not the network. So the same loops "
-      "again, with tasks that sleep until something arrives:\n",
+      "are measured again below, with tasks that sleep until something arrives:\n",
       options.rateHz, options.kept(), options.skipped(), options.betweenInWords(), table.toString(),
       notes);
 }

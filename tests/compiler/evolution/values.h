@@ -1,5 +1,5 @@
 #pragma once
-// Each version says this of its own Sample.
+// The two versions of the header have these functions for their own Sample and Choice.
 
 #include <ostream>
 
@@ -14,7 +14,8 @@ Sample example();
 /// Prints the fields that the two versions do not share.
 void print(const Sample& sample, std::ostream& out);
 
-/// Returns a choice of something that both versions have, or of the newest that this one has.
+/// Returns a choice that holds the newest alternative of this version, or one that both versions
+/// have.
 Choice exampleChoice(bool newest);
 
 void print(const Choice& choice, std::ostream& out);

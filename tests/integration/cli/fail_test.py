@@ -197,7 +197,7 @@ class Fail(System):
         self.stop(robot)
         try:
             self.await_silence("robot")
-            self.assertIn("has been silent for longer than its lease", self.failed("resolve", "robot")["found"])
+            self.assertIn("has not renewed its name in time", self.failed("resolve", "robot")["found"])
         finally:
             robot.send_signal(signal.SIGCONT)
 

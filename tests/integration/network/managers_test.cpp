@@ -162,7 +162,7 @@ TEST_P(ManagersTest, ASilentProcessIsNotHandedOut) {
   std::string error;
   EXPECT_TRUE(eventually([&] {
     error = refusal([&] { asker.connect(1ms); });
-    return contains(error, "has been silent for longer than its lease");
+    return contains(error, "has not renewed its name in time");
   })) << error;
   child->signal(SIGCONT);
   asker.connect();

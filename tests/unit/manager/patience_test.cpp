@@ -1,4 +1,4 @@
-// A client may wait for longer than a manager lets one question wait, and without an end.
+// A client may wait for a process longer than a manager lets one question wait, or for ever.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>

@@ -1,4 +1,5 @@
-// Both ends are on a pair of sockets: our session against ours, and against strangers.
+// A session of ours speaks TLS over a pair of sockets, with another session of ours or with a
+// stranger, which is OpenSSL alone.
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -43,7 +44,7 @@ void await(int socket, short events) {
   poll(&ready, 1, 10'000);
 }
 
-/// Goes through with a handshake: "" or why there is none.
+/// Shakes hands. Returns "", or why the handshake failed.
 std::string handshake(Session& session, int socket) {
   try {
     for (;;) {
@@ -107,7 +108,7 @@ class SessionTest : public testing::Test {
                               theirs_ = directory_.path() / "theirs";
 };
 
-/// Has two of our sessions that are through with the handshake.
+/// Has two sessions of ours that have shaken hands.
 struct Pair {
   Pair(std::shared_ptr<const Keys> left, std::shared_ptr<const Keys> right)
       : client(std::move(left), Side::Client, sockets.ends[0]),
@@ -197,7 +198,7 @@ TEST_F(SessionTest, AReplayedRecordEndsTheSession) {
   EXPECT_EQ(errno, EPROTO);
 }
 
-TEST_F(SessionTest, AnEndThatWasNotAnnouncedIsNoEnd) {
+TEST_F(SessionTest, AClosedSocketIsNotTheEndOfTheData) {
   Pair pair(keys("left"), keys("right"));
   pair.sockets.closeEnd(0);
   std::byte into[16];
@@ -208,7 +209,7 @@ TEST_F(SessionTest, AStrangerWithKeysOfThisSystemIsAccepted) {
   for (const Side side : {Side::Client, Side::Server}) {
     const Verdicts verdicts = meet(side, shown(ours_, "left"));
     EXPECT_EQ(verdicts.ours, "");
-    EXPECT_EQ(verdicts.theirs, "accepted") << "the tests below prove something";
+    EXPECT_EQ(verdicts.theirs, "accepted") << "else the refusals of the tests below prove nothing";
   }
 }
 
@@ -235,7 +236,7 @@ TEST_F(SessionTest, CertificatesThatDoNotHoldAreRefusedOnBothSides) {
   }
 }
 
-// In TLS 1.3 the client is through before the server has judged it.
+// In TLS 1.3 the handshake of the client ends before the server has judged its certificate.
 TEST_F(SessionTest, AClientLearnsThatItsCertificateWasRefused) {
   Stranger server(shown(ours_, "left"));
   server.trustNobody();

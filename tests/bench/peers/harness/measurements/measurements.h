@@ -7,7 +7,8 @@
 
 namespace peers {
 
-/// A pose goes there and back, `count` times; also counts what both processes use for it.
+/// Sends a pose there and back, `count` times, and counts the processor time, the context switches
+/// and the loopback traffic of both processes.
 void measureRoundTrips(Peer& peer, const Options& options, ControlBlock& control);
 /// Poses go one way as fast as there is room, `count` of them or as many as `seconds` permit.
 void measureStream(Peer& peer, const Options& options, ControlBlock& control);

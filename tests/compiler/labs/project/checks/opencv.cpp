@@ -44,7 +44,7 @@ void connectOpenCv(Random&) {
   require(tracker.port().stopAt(criteria).has_value(), "stopAt", "is not sent");
   tracker.until([&] { return events == 1; }, "lost");
   const auto sight = tracker.port().sight.fresh().within(10s);
-  require(sight && sight->rotation[1] == 0.25, "sight", "is another one");
+  require(sight && sight->rotation[1] == 0.25, "sight", "the read answers another value");
 }
 
 void checkOpenCv(Random& random) {

@@ -46,11 +46,12 @@ void connectRobot(Random& random) {
   });
   MoveRequest request{};
   fill(request, random);
-  require(robot.port().move(request).has_value(), "move", "is not sent");
+  require(robot.port().move(request).has_value(), "move", "the command is not sent");
   robot.until([&] { return events == 1; }, "moved");
-  require(same(heard, request), "moved", "brings another request");
+  require(same(heard, request), "moved", "the event brings another request");
   const auto state = robot.port().state.fresh().within(10s);
-  require(state && state->message_id == request.header.command_id, "state", "is another one");
+  require(state && state->message_id == request.header.command_id, "state",
+          "the read answers another value");
 }
 
 void checkRobot(Random& random) {
