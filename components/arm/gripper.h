@@ -18,8 +18,8 @@ class SUTURE_INTERFACE(crtk(), version(1)) Gripper {
 
   /// Says what the joint is and what it may do.
   SUTURE_COMMAND() virtual const JointConfiguration& configuration_js() const = 0;
-  /// Says where the joint is. The stamp is that of the drives' cycle that measured it. It is not
-  /// valid before there was one.
+  /// Says where the joint is. The stamp is that of the drives' cycle that measured it. Before the
+  /// first such cycle the value is not valid.
   SUTURE_COMMAND() virtual const JointState& measured_js() const = 0;
 
   /// Reports if the gripper is closed, each time that this changes, and the last one to a client

@@ -9,7 +9,7 @@ namespace robots {
 /// Says if a head is in the viewer. It counts only as long as it is fresh.
 struct SUTURE_TYPE() Presence {
   bool present = false;
-  /// Is the cycle in which it was looked for.
+  /// The cycle in which the viewer was looked at.
   suture::Time stamp;
 };
 

@@ -20,7 +20,7 @@ class SUTURE_INTERFACE() Gripper {
 
   /// Reports a state: a client that subscribes late receives the last one at once.
   SUTURE_EVENT(latched()) suture::EventOf<Jaws> jaws_changed;
-  /// Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+  /// Reports something that happens. Each touch counts, so up to 16 wait for a busy subscriber.
   SUTURE_EVENT(queue(16)) SUTURE_FIELD(unit("N")) suture::EventOf<double> touched;
 };
 

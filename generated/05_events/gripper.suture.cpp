@@ -75,7 +75,7 @@ constexpr char kGripperDescription[] = R"json(
 "doc": "Reports a state: a client that subscribes late receives the last one at once.", "payload": {
 "type": {"kind": "enum", "name": "gripping::Jaws"}}, "queue": 16, "latched": true}, {
 "name": "touched", "kind": "write", "ordinal": 2,
-"doc": "Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.",
+"doc": "Reports something that happens. Each touch counts, so up to 16 wait for a busy subscriber.",
 "payload": {"type": {"kind": "Float64"}, "unit": "N"}, "queue": 16}], "enums": [{
 "name": "gripping::Jaws", "underlying": "UInt8", "enumerators": [{"name": "Open", "value": 0,
 "wire": "open"}, {"name": "Closing", "value": 1, "wire": "closing"}, {"name": "Holding", "value": 2,

@@ -66,7 +66,7 @@ class Required<gripping::Gripper> : public RequiredBase {
     /// Reports a state: a client that subscribes late receives the last one at once.
     /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, gripping::Jaws> jaws_changed;
-    /// Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+    /// Reports something that happens. Each touch counts, so up to 16 wait for a busy subscriber.
     /// At a subscriber up to 16 wait.
     Subscription<double, double> touched;
   };
@@ -99,7 +99,7 @@ class Provided<gripping::Gripper> : public ProvidedBase {
 
     /// Reports a state: a client that subscribes late receives the last one at once.
     Emitter<std::uint8_t, gripping::Jaws> jaws_changed;
-    /// Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+    /// Reports something that happens. Each touch counts, so up to 16 wait for a busy subscriber.
     Emitter<double, double> touched;
   };
   Events& emit() { return events_; }

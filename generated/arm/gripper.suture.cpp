@@ -47,7 +47,7 @@ constexpr char kGripperDescription[] = R"json(
 "doc": "Says what the joint is and what it may do.", "result": {"type": {"kind": "struct",
 "name": "robots::JointConfiguration"}}, "queue": 16}, {"name": "measured_js", "kind": "read",
 "ordinal": 2, "wire": "measuredJs",
-"doc": "Says where the joint is. The stamp is that of the drives' cycle that measured it. It is not\nvalid before there was one.",
+"doc": "Says where the joint is. The stamp is that of the drives' cycle that measured it. Before the\nfirst such cycle the value is not valid.",
 "result": {"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16}], "events": [{
 "name": "closed", "kind": "write", "ordinal": 1,
 "doc": "Reports if the gripper is closed, each time that this changes, and the last one to a client\nthat connects: dVRK's gripper/closed.",

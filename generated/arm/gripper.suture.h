@@ -61,8 +61,8 @@ class Required<robots::Gripper> : public RequiredBase {
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
       *this, Id::configuration_js};
-  /// Says where the joint is. The stamp is that of the drives' cycle that measured it. It is not
-  /// valid before there was one.
+  /// Says where the joint is. The stamp is that of the drives' cycle that measured it. Before the
+  /// first such cycle the value is not valid.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{*this, Id::measured_js};
 

@@ -74,8 +74,8 @@ constexpr char kOperatorPresenceDescription[] = R"json(
 "name": "robots::Presence",
 "doc": "Says if a head is in the viewer. It counts only as long as it is fresh.", "fields": [{
 "name": "present", "type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
-"doc": "Is the cycle in which it was looked for.", "type": {"kind": "time", "clock": "steady"}}]}],
-"wire": [{"id": "@0x8946bef4362e465d", "kind": "interface", "name": "OperatorPresence",
+"doc": "The cycle in which the viewer was looked at.", "type": {"kind": "time", "clock": "steady"}}
+]}], "wire": [{"id": "@0x8946bef4362e465d", "kind": "interface", "name": "OperatorPresence",
 "cxx": "robots::OperatorPresence", "members": [{"at": 0, "name": "subscribe", "parameters": [{
 "at": 0, "name": "events", "is": "@0xd9df1a4d2e881c27"}, {"at": 1, "name": "eventMask",
 "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "presence",

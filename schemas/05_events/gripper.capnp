@@ -31,7 +31,7 @@ interface GripperEvents @0xb6c3be53b63b21bb $Meta.eventsOf("gripping::Gripper") 
       $Meta.queue(16);
   # Reports a state: a client that subscribes late receives the last one at once.
   touched @2 (value :Float64 $Meta.unit("N"), stamp :Int64) -> () $Meta.queue(16);
-  # Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+  # Reports something that happens. Each touch counts, so up to 16 wait for a busy subscriber.
 }
 
 struct GripperStateRow @0x996aaf9b482d97d6 $Meta.stateOf("gripping::Gripper") {

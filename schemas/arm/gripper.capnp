@@ -22,8 +22,8 @@ interface Gripper @0x8486a1563ccf77e4 $Meta.cxx("robots::Gripper") {
   # Says what the joint is and what it may do.
   measuredJs @2 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("measured_js") $Meta.kind("read");
-  # Says where the joint is. The stamp is that of the drives' cycle that measured it. It is not
-  # valid before there was one.
+  # Says where the joint is. The stamp is that of the drives' cycle that measured it. Before the
+  # first such cycle the value is not valid.
 }
 
 interface GripperEvents @0xc5f5014ab20db54c $Meta.eventsOf("robots::Gripper") {

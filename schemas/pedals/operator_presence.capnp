@@ -12,7 +12,7 @@ struct Presence @0xa9429a655b83829a $Meta.cxx("robots::Presence") {
 
   present @0 :Bool;
   stamp @1 :Int64 $Meta.clock("steady");
-  # Is the cycle in which it was looked for.
+  # The cycle in which the viewer was looked at.
 }
 
 interface OperatorPresence @0x8946bef4362e465d $Meta.cxx("robots::OperatorPresence") {
