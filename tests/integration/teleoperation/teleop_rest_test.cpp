@@ -32,7 +32,7 @@ TEST_F(TeleopRest, ASuspendStopsAnArmOnItsWayHome) {
   EXPECT_TRUE(suture::clockOfTest().until([&] { return slave_.homes() == 2; }));
 }
 
-TEST_F(TeleopRest, WhoDisablesItStopsAnArmOnItsWayHome) {
+TEST_F(TeleopRest, DisablingStopsAnArmThatItHomes) {
   master_.forgetHome();
   start();
   ASSERT_TRUE(suture::clockOfTest().until([&] { return master_.homes() == 1; }));
@@ -43,7 +43,7 @@ TEST_F(TeleopRest, WhoDisablesItStopsAnArmOnItsWayHome) {
   EXPECT_EQ(master_.homes(), 1u);
 }
 
-TEST_F(TeleopRest, WhoDisablesItLeavesAnArmAloneThatSomebodyElseHomes) {
+TEST_F(TeleopRest, DisablingLeavesAnArmThatSomebodyElseHomes) {
   slave_.forgetHome();
   slave_.home();
   start();

@@ -56,7 +56,7 @@ TEST_F(EffortTest, LeavesJointsOutsideOfTheMaskHeld) {
   EXPECT_EQ(released(), 5);
 }
 
-TEST_F(EffortTest, OfAWrenchPressesWithThatWrench) {
+TEST_F(EffortTest, AWrenchBecomesEffortsThatPressWithIt) {
   const kinematics::SpatialVector wrench{0.1, 0.2, -0.3, 0, 0, 0};
   wrench_.force = wrench.head<3>();
   crtk_.spatial_servo_cf(wrench_);
@@ -67,7 +67,7 @@ TEST_F(EffortTest, OfAWrenchPressesWithThatWrench) {
   EXPECT_EQ(released(), 6);
 }
 
-TEST_F(EffortTest, OfTooMuchForceKeepsItsDirection) {
+TEST_F(EffortTest, ExcessiveForceKeepsItsDirection) {
   wrench_.force /= 10;
   crtk_.body_servo_cf(wrench_);
   cycles(1);

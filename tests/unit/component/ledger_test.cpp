@@ -66,14 +66,14 @@ TEST_F(ClientsLedger, ALossMakesCommandsUnderWayUnknown) {
   expectOpen(ledger_.sums(), {.unknown = 3});
 }
 
-TEST_F(ClientsLedger, ALostChannelTakesNothingWithIt) {
+TEST_F(ClientsLedger, KeepsTheSumsOfALostChannel) {
   tenOfWhichThreeAreUnderWay();
   EXPECT_EQ(ledger_.sums().accepted, 10u);
   EXPECT_EQ(ledger_.sums().tally.executed, 6u);
   expectOpen(ledger_.sums(), {.unknown = 3});
 }
 
-TEST_F(ClientsLedger, TheSameProcessBackMakesTheUnknownExact) {
+TEST_F(ClientsLedger, LearnsWhatBecameOfUnknownCommands) {
   tenOfWhichThreeAreUnderWay();
   const auto next = makeChannel();
   ledger_.begin(next, kRobot, {{.executed = 7, .late = 1}, false});
@@ -124,7 +124,7 @@ TEST_F(ClientsLedger, ALaneSaysWhatItHasLost) {
   expectOpen(ledger_.sums(), {.lost = 2, .underWay = 1});
 }
 
-TEST(ProvidersLedger, TellsOfGoneChannelsToo) {
+TEST(ProvidersLedger, KeepsTheCountsOfClosedChannels) {
   Ledger ledger(ConnectionEnd::Provider);
   auto first = makeChannel();
   ledger.begin(first, kRobot);
@@ -143,7 +143,7 @@ TEST(ProvidersLedger, TellsOfGoneChannelsToo) {
   expectOpen(ledger.sums(), {.lost = 1});
 }
 
-TEST(ProvidersLedger, HasNoLastWordWhereSomethingHasBeenForgotten) {
+TEST(ProvidersLedger, NeverSaysEndedIfHistoryIsForgotten) {
   Ledger ledger(ConnectionEnd::Provider, Ledger::History::Forgotten);
   const auto channel = makeChannel();
   ledger.begin(channel, kRobot);

@@ -54,7 +54,8 @@ struct Cycling : Kind {
 template <class Kind>
 using WithCycles = std::conditional_t<std::is_base_of_v<Task, Kind>, Cycling<Kind>, Kind>;
 
-/// Provides an arm and keeps a diary; the hook `throwing` throws.
+/// Provides an arm and writes each hook that runs into a diary. The hook that `throwing` names
+/// throws.
 template <class Kind>
 struct Living final : WithCycles<Kind> {
   template <class... Arguments>

@@ -17,7 +17,7 @@ std::shared_ptr<Channel> channelWithRow(Time stamp) {
   return channel;
 }
 
-TEST(ReadAge, IsOfARowWhenItIsFirstRead) {
+TEST(ReadAge, CountsEachRowOnce) {
   ArmClient client;
   const auto channel = channelWithRow(now());
   client.arm.attach(channel);
@@ -25,7 +25,7 @@ TEST(ReadAge, IsOfARowWhenItIsFirstRead) {
   EXPECT_EQ(channel->client.readAge->count(), 1u);
 }
 
-TEST(ReadAge, BeginsWithTheFirstRowOfAConnection) {
+TEST(ReadAge, CountsAnEqualStampOfANewConnection) {
   ArmClient client;
   const Time stamp = now();
   client.arm.attach(channelWithRow(stamp));
@@ -70,7 +70,7 @@ TEST(ReadTogether, GivesAValueThatIsAskedForTwiceTwice) {
   EXPECT_EQ(std::get<1>(*both).pose.translation().x(), 3);
 }
 
-TEST(ReadAge, IsTooGreatForAnyLimitWithoutAValue) {
+TEST(ReadAge, ExceedsEveryLimitWithoutAValue) {
   ArmClient client;
   EXPECT_EQ(client.arm.measured_cp().age(), Duration::max());  // it was never connected
   client.arm.attach(channelWithRow(now()));

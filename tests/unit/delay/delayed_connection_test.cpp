@@ -181,7 +181,7 @@ TEST_F(Delayed, TheCommandsDepthBoundsWhatIsUnderWay) {
   EXPECT_EQ(arm.holds, 0);
 }
 
-TEST_F(Delayed, AnotherConnectionDoesNotNotice) {
+TEST_F(Delayed, ASlowConnectionDelaysNoOther) {
   connect("A", {.commands = 60s, .answers = 60s});
   connect("B", {.commands = 1ms, .answers = 1ms});
   auto slow = a.arm.hold.start();
@@ -191,7 +191,7 @@ TEST_F(Delayed, AnotherConnectionDoesNotNotice) {
   EXPECT_EQ(a.arm.measured_cp().error(), Errc::NotYet);
 }
 
-TEST_F(Delayed, ALossIsToldBehindTheAnswersBeforeIt) {
+TEST_F(Delayed, ALossArrivesAfterEarlierAnswers) {
   connect("A", {.answers = 2s});
   auto call = a.arm.hold.start();
   EXPECT_TRUE(eventually([&] { return arm.holds == 1; }));
@@ -232,7 +232,7 @@ TEST_F(Delayed, EveryCallEndsThoughMessagesAreLost) {
   EXPECT_LT(lost, ended);
 }
 
-TEST_F(Delayed, AbandonedCallsGiveTheirPlacesBackThoughMessagesAreLost) {
+TEST_F(Delayed, AbandonedCallsFreeTheirPlacesDespiteLosses) {
   connect("A", {.faults = {.seed = 2, .loss = 0.5}});
   for (int i = 0; i < 40; ++i) {
     ASSERT_TRUE(eventually([&] {
@@ -241,7 +241,7 @@ TEST_F(Delayed, AbandonedCallsGiveTheirPlacesBackThoughMessagesAreLost) {
   }
 }
 
-TEST_F(Delayed, EveryCreditComesBackThoughMessagesAreLost) {
+TEST_F(Delayed, EveryCreditComesBackDespiteLosses) {
   connect("A", {.faults = {.seed = 3, .loss = 0.5}});
   for (int i = 0; i < 100; ++i) {
     ASSERT_TRUE(eventually([&] { return a.arm.hold().has_value(); })) << i;
@@ -251,7 +251,7 @@ TEST_F(Delayed, EveryCreditComesBackThoughMessagesAreLost) {
   EXPECT_GT(observe(manager, now()).connections.at(0).messagesLost, 0u);
 }
 
-TEST_F(Delayed, WithoutADelayNothingIsBetween) {
+TEST_F(Delayed, WithoutDelayTheConnectionIsLocal) {
   connect("A", {});
   EXPECT_EQ(manager.channels().at(0)->lane, "local");
 }

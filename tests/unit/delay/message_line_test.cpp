@@ -72,7 +72,7 @@ TEST_F(MessageLineTest, ADuplicateDoesNotOvertake) {
   EXPECT_EQ(counters.overtaken, 0u);
 }
 
-TEST_F(MessageLineTest, AMarkSettlesWhatWasLost) {
+TEST_F(MessageLineTest, AMarkCountsLostMessagesAsReached) {
   MessageLine line(8, 64, {.loss = 1}, 0, counters);
   putMany(line, 5);
   EXPECT_EQ(take(line, now()), Values{});

@@ -66,37 +66,37 @@ void expectAge(const std::string& name, const Make& make) {
   expectAccepted({20ms, 1s}, make);
 }
 
-TEST(Parameters, OfTheAssistant) {
+TEST(Parameters, AssistantRefusesImpossibleTimes) {
   expectTime("patience", [](auto time) { Assistant({.patience = time}); });
   expectTime("release_after", [](auto time) { Assistant({.release_after = time}); });
   expectTimeOrZero("press_after", [](auto time) { Assistant({.press_after = time}); });
 }
 
-TEST(Parameters, OfTheConsole) {
+TEST(Parameters, ConsoleRefusesImpossibleTimes) {
   expectTime("patience", [](auto time) { SystemConsole({.system = {}, .patience = time}); });
 }
 
-TEST(Parameters, OfWhatMovesArms) {
+TEST(Parameters, TeleopAndGuideRefuseImpossibleTimes) {
   expectTimeOrZero("preparation_limit", [](auto time) { Teleop({.preparation_limit = time}); });
   expectTimeOrZero("preparation_limit", [](auto time) { KnotGuide({.preparation_limit = time}); });
 }
 
-TEST(Parameters, OfTheTracker) {
+TEST(Parameters, TrackerRefusesImpossibleAges) {
   expectAge("max_age", [](auto time) { KnotTracker({.max_age = time}); });
 }
 
-TEST(Parameters, OfTheEndoscope) {
+TEST(Parameters, EndoscopeBoundsItsLatency) {
   const auto endoscope = [](auto time) { SyntheticEndoscope({.latency = time}); };
   expectRefused("latency", {-1ms, 501ms, 30s}, endoscope);
   expectAccepted({0s, 100us, 500ms}, endoscope);
 }
 
-TEST(Parameters, OfTheOperator) {
+TEST(Parameters, OperatorRefusesImpossibleAges) {
   expectAge("picture_age", [](auto time) { Operator({.picture_age = time}); });
   expectAge("slave_age", [](auto time) { Operator({.slave_age = time}); });
 }
 
-TEST(Parameters, OfAPersonsDevices) {
+TEST(Parameters, KeyboardAndGamepadRefuseImpossibleTimes) {
   const PseudoTerminal pty;
   const auto keyboard = [&](auto time) { Keyboard({.terminal = pty.path(), .hold = time}); };
   expectRefused("hold", {-1s, 0s, 3s}, keyboard);
@@ -104,14 +104,14 @@ TEST(Parameters, OfAPersonsDevices) {
   expectTime("retry", [](auto time) { Gamepad({.retry = time}); });
 }
 
-TEST(Parameters, OfScriptedPedals) {
+TEST(Parameters, ScriptedPedalsRefuseImpossibleTimes) {
   expectTime("clutch_for", [](auto time) { ScriptedPedals({.clutch_for = time}); });
   expectTime("leave_for", [](auto time) { ScriptedPedals({.leave_for = time}); });
   expectTimeOrZero("clutch_after", [](auto time) { ScriptedPedals({.clutch_after = time}); });
   expectTimeOrZero("leave_after", [](auto time) { ScriptedPedals({.leave_after = time}); });
 }
 
-TEST(Parameters, OfDrives) {
+TEST(Parameters, DrivesBoundTheirPermit) {
   const auto psm = [](auto time) { PsmDrives({.permit = time}); };
   const auto mtm = [](auto time) { MtmDrives({.permit = time}); };
   expectRefused("permit", {-1s, 500us, 1001ms}, psm);
@@ -123,7 +123,7 @@ TEST(Parameters, OfDrives) {
 }
 
 /// One goal that the horizon lets through must not put the arm in FAULT.
-TEST(Parameters, OfArmsLeaveRoomForAServoGoal) {
+TEST(Parameters, ArmsLeaveRoomForAServoGoal) {
   const auto psm = [](const PsmParameters& parameters) {
     return suture::refusal([&] { Psm{parameters}; });
   };

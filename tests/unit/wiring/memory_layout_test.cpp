@@ -17,7 +17,7 @@ InterfaceInfo infoWith(const char* description) {
   return info;
 }
 
-TEST(MemoryLayout, IsThatOfTheBytesAndNotOfTheWords) {
+TEST(MemoryLayout, ChangesWithFieldsButNotWithComments) {
   const std::string layout = memoryLayout(infoWith(kDescription));
   EXPECT_EQ(memoryLayout(infoWith(kDescription)), layout);
   EXPECT_EQ(memoryLayout(infoWith(R"({"name": "Arm", "doc": "It moves.", "structs": [
@@ -28,7 +28,7 @@ TEST(MemoryLayout, IsThatOfTheBytesAndNotOfTheWords) {
             layout);
 }
 
-TEST(MemoryLayout, IsThatOfTheTablesToo) {
+TEST(MemoryLayout, ChangesWithTheDepthOfAQueue) {
   InterfaceInfo info = infoWith(kDescription);
   const std::string layout = memoryLayout(info);
   std::vector<CommandInfo> commands(info.commands.begin(), info.commands.end());
@@ -39,7 +39,7 @@ TEST(MemoryLayout, IsThatOfTheTablesToo) {
 
 // A process that sends all of a value is not understood by one that takes its used part, and the
 // other way round.
-TEST(MemoryLayout, IsThatOfWhatTravelsOfAValue) {
+TEST(MemoryLayout, ChangesWithTheLevelsOfAValue) {
   constexpr BoundedLevel kList[] = {{.size = 0, .data = 8, .stride = 8, .capacity = 100}};
   InterfaceInfo info = infoWith(kDescription);
   const std::string layout = memoryLayout(info);
@@ -90,7 +90,7 @@ TEST(Stamps, TheDescriptionShowsSteadyStamps) {
   EXPECT_TRUE(hidesStampsWith(R"({"commands": [], "structs": [{"clock": "steady"}]})"));
 }
 
-TEST(Stamps, AreNotHiddenWhereTheTablesTurnThem) {
+TEST(Stamps, AreNotHiddenIfTheTableShiftsThem) {
   InterfaceInfo info = infoWith(R"({"commands": [], "structs": [{"clock": "steady"}]})");
   std::vector<CommandInfo> commands(info.commands.begin(), info.commands.end());
   commands[0].shiftArguments = [](std::byte*, Duration) {};
@@ -98,7 +98,7 @@ TEST(Stamps, AreNotHiddenWhereTheTablesTurnThem) {
   EXPECT_FALSE(hidesStamps(info));
 }
 
-TEST(Stamps, MayBeInWhatIsNotDescribed) { EXPECT_TRUE(hidesStampsWith(kDescription)); }
+TEST(Stamps, AreAssumedInUndescribedTypes) { EXPECT_TRUE(hidesStampsWith(kDescription)); }
 
 }  // namespace
 }  // namespace suture
