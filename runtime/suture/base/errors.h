@@ -45,8 +45,8 @@ const char* toString(Errc error);
 template <class T = void>
 using Result = tl::expected<T, Errc>;
 
-/// Returns what a command without a value answers. `Nothing` is void: as this is a template, only
-/// files that use Result<void> compile it, and not all that include this header.
+/// Any thread. Returns what a command without a value answers. `Nothing` is void: as this is a
+/// template, only files that use Result<void> compile it, and not all that include this header.
 template <class Nothing>
 Result<Nothing> resultOf(Errc error) {
   static_assert(std::is_void_v<Nothing>);

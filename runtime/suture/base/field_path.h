@@ -11,22 +11,23 @@ namespace suture {
 
 /// Says, as C++ does, where in a value something lies: "goal.position[2]". A check that refuses a
 /// value writes it from the inside out: each level adds its own name. It has a fixed size and never
-/// allocates; if it gets too long, its outer part is "...".
+/// allocates; if it gets too long, its outer part is "...". One thread at a time.
 class FieldPath {
  public:
   FieldPath() {}  // leaves text_ uninitialised, because most paths are never written
 
   /// Says that the part named so far lies in this member.
   void enterMember(std::string_view name);
-  /// Says that it lies at this index of a sequence, or under this key of a map.
+  /// Say that it lies at this index of a sequence, or under this key of a map.
   void enterElement(std::uint64_t index);
   void enterKey(std::int64_t key);
   void enterKey(std::string_view key);
 
+  /// Returns true if nothing has been named.
   bool empty() const { return begin_ == kRoom; }
   /// Returns the path, valid as long as this object.
   std::string_view text() const { return {text_.data() + begin_, kRoom - begin_}; }
-  /// True if the outermost member has that name.
+  /// Returns true if the outermost member has that name.
   bool beginsWith(std::string_view member) const;
 
  private:

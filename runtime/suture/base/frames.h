@@ -20,7 +20,8 @@ constexpr FrameId frameId(std::string_view name) {
   return hash == 0 ? 1 : hash;
 }
 
-/// Says which frames the poses and vectors of an interface are in where their data do not say it.
+/// Says which frames the poses and vectors of an interface are in where their data do not say it. A
+/// plain value of set-up code.
 struct Frames {
   std::string reference;  ///< the frame in which they are given, "PSM1_base"; "": any
   std::string moving;     ///< the frame whose pose or motion they are, "PSM1_tip"; "": any

@@ -25,6 +25,7 @@ class Sample<void> {
   /// Returns true if there is a value to act on.
   bool hasValue() const { return usable_; }
   explicit operator bool() const { return usable_; }
+  /// Return what the members of these names return in Sample<T>.
   Time stamp() const { return stamp_; }
   Duration age() const { return carriesValue() ? since(stamp_) : Duration::max(); }
   Errc error() const { return error_; }

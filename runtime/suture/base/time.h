@@ -25,7 +25,7 @@ Time virtualNow(VirtualTime& time);
 /// Any thread. Returns the clock that steps this process's time, or null in production.
 inline VirtualTime* virtualTime() { return detail::virtualTime.load(std::memory_order_relaxed); }
 
-/// Any thread; no allocation.
+/// Any thread; never allocates. Returns the present time, or that of the clock which steps it.
 inline Time now() {
   VirtualTime* const time = virtualTime();
   if (time != nullptr) [[unlikely]] {
@@ -34,6 +34,7 @@ inline Time now() {
   return Clock::now();
 }
 
+/// Any thread. Turn a time into the nanoseconds since the steady clock's epoch, and back.
 inline std::int64_t toNanoseconds(Time time) { return time.time_since_epoch().count(); }
 inline Time fromNanoseconds(std::int64_t count) { return Time{Duration{count}}; }
 
@@ -45,7 +46,9 @@ inline Time fromNow(Duration duration) {
   const std::int64_t begin = toNanoseconds(now()), most = Time::max().time_since_epoch().count();
   return fromNanoseconds(duration.count() > most - begin ? most : begin + duration.count());
 }
+/// Any thread. Returns how long ago `then` was; negative if it is still to come.
 inline Duration since(Time then) { return Duration{toNanoseconds(now()) - toNanoseconds(then)}; }
+/// Any thread. Returns when it was `age` earlier than now.
 inline Time ago(Duration age) { return fromNanoseconds(toNanoseconds(now()) - age.count()); }
 
 }  // namespace suture

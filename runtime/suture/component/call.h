@@ -99,11 +99,12 @@ class [[nodiscard]] Call : CallBase {
   /// Waits as long as the deadline() that the contract states for the command, else
   /// kDefaultDeadline.
   const Answer& within() & { return within(limit_); }
-  /// Do the same for a call that nobody keeps.
+  /// Waits likewise, and returns the answer of a call that nobody keeps.
   Answer within(Duration limit) && {
     within(limit);
     return std::move(answer_);
   }
+  /// Does the same with the deadline of the other within().
   Answer within() && { return std::move(*this).within(limit_); }
 
   /// Never blocks. Takes the command back: returns true if it will not be executed; then

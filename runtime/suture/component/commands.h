@@ -56,6 +56,8 @@ class QueuedCommand {
 /// any of a device, is executed at once in the caller's thread if both are in one process.
 ///   slave_.servo_cp(goal);                        queued; the answer says if it was
 ///   auto call = slave_.servo_cp.start(goal);      the same, and learns when it has been executed
+/// Belongs to the thread of the component that requires the interface; another thread gets
+/// Errc::WrongThread.
 template <auto Method, class ArgumentsSlot>
 class Command;
 
@@ -66,15 +68,25 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
  public:
   using QueuedCommand::QueuedCommand;
 
-  /// Never blocks; never allocates in a task's thread, and in another one only for its first
-  /// arguments of more than 4 KiB. Success means that the command waits at the provider (local), or
-  /// is on its way within the provider's credit (any other lane). Errors are Errc::Full, Lost,
-  /// TooLarge and Faulted, and Errc::Invalid, on every lane, for what the contract does not admit.
+  /// Never blocks, unless the command runs in this thread and blocks; never allocates in a task's
+  /// thread, and in another one only for its first arguments of more than 4 KiB. Success means that
+  /// the command waits at the provider (local), is on its way within the provider's credit (any
+  /// other lane), or has run (in this thread). Every error means that it has not run and will not
+  /// run, but for Faulted if it ran in this thread and threw. On every lane the errors are
+  ///   WrongThread, NotConnected, Lost, Suspended, Faulted   it cannot reach the provider now
+  ///   NotImplemented      the provider was built without it
+  ///   AwaitingOperator    its provider was lost or faulted, and an operator has to resume it
+  ///   Full                as many of this command wait as its queue takes; see room()
+  ///   TooLarge, Invalid   an argument exceeds its capacity, or the contract does not admit it
+  /// What becomes of it later (Late, Superseded, NotPermitted ...) is counted in reports, and
+  /// start() tells it.
   Result<Nothing> operator()(Arguments... arguments) {
     return resultOf<Nothing>(send(0, arguments...));
   }
 
-  /// Does the same, and answers when the command has been executed.
+  /// Does the same, and the call is answered when the command has been executed or has come to
+  /// another end. Errors are those of operator(), as the answer of a call that has ended already;
+  /// and Errc::TooManyCalls if no place for a call is free.
   [[nodiscard]] Call<Result<Nothing>, NoSlot> start(Arguments... arguments) {
     if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
     if (ProvidedBase* const callee = required_.sender.callee(id_)) {
@@ -115,6 +127,8 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
 ///   master_.measured_cp.delayed(10ms)                    as it was 10 ms ago
 ///   auto call = master_.measured_cp.fresh();             evaluated by the provider for this call
 /// readTogether() (read_together.h) reads several of one row.
+/// Belongs to the thread of the component that requires the interface; another thread gets
+/// Errc::WrongThread.
 template <auto Method, class ResultSlot>
 class ReadCommand;
 
@@ -179,9 +193,12 @@ class ReadCommand<Method, ResultSlot> {
 
   /// Returns the value as it was `delay` ago; see at().
   Sample<Value> delayed(Duration delay) { return at(ago(delay)); }
+  /// Does the same into `value`, which keeps its memory, and is unchanged if there is no value.
   Sample<void> delayed(Duration delay, Value& value) { return at(ago(delay), value); }
 
-  /// Makes the provider evaluate the value now, in its own thread.
+  /// Never blocks. Makes the provider evaluate the value in its own thread, for this call alone; of
+  /// a device in this process, and of a command that runs in the caller's thread, the value is read
+  /// at once. Errors are those of Command::start().
   [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
     if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
     if (required_.sender.callee(id_) != nullptr) return (*this)();
@@ -221,6 +238,8 @@ class ReadCommand<Method, ResultSlot> {
 /// arguments, and its result is the answer.
 ///   auto call = slave_.inverse_kinematics.start(pose);   look at call.poll() in a control loop
 ///   call.within(20ms)                                    or wait, for a bounded time
+/// Belongs to the thread of the component that requires the interface; another thread gets
+/// Errc::WrongThread.
 template <class Contract, auto Method, class ArgumentsSlot, class ResultSlot, class ReturnType,
           class... Arguments>
 class AnsweredCommand : public QueuedCommand {
@@ -229,6 +248,12 @@ class AnsweredCommand : public QueuedCommand {
 
   using QueuedCommand::QueuedCommand;
 
+  /// Sends the command and returns the call, whose answer is the result. Never blocks and never
+  /// allocates in a task's thread, as Command::operator() does not, but the result may own memory
+  /// when it is taken from the call. A command that runs in the caller's thread has run when this
+  /// returns, and its answer is here. Errors are those of Command::start(), as the answer of a call
+  /// that has ended already; a result that exceeds its capacity, or that the contract does not
+  /// admit, is answered as Errc::TooLarge or Errc::Invalid although the command has run.
   [[nodiscard]] Call<Result<Value>, ResultSlot> start(Arguments... arguments) {
     if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
     if (ProvidedBase* const callee = required_.sender.callee(id_))

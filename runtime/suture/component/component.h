@@ -38,6 +38,7 @@ class Component {
 
   /// Returns the instance name, which the manager gives: unique in its process.
   const std::string& name() const { return name_; }
+  /// Any thread. Returns the state, which may change at any moment.
   ComponentState state() const { return state_.load(std::memory_order_acquire); }
   /// Any thread. Returns what faulted this component last: the text that its code threw, or what
   /// the contract of a connection says; "" if nothing did.
@@ -53,6 +54,8 @@ class Component {
   /// however late it arrives, because it was meant for what the component did before.
   Time resumed() const { return fromNanoseconds(resumed_.load(std::memory_order_acquire)); }
 
+  /// Any thread, once the component is constructed. Return its interfaces in the order in which
+  /// they are declared.
   const std::vector<ProvidedBase*>& provided() const { return provided_; }
   const std::vector<RequiredBase*>& required() const { return required_; }
 

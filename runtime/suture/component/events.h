@@ -17,8 +17,8 @@
 
 namespace suture {
 
-/// Emits one event, in the provider's thread: in another it answers Errc::WrongThread and emits
-/// nothing. A device may emit in any thread.
+/// Emits one event. Belongs to the thread of the task that provides the interface: another thread
+/// gets Errc::WrongThread, and nothing is emitted. A device may emit in any thread.
 ///   arm_.emit().operating_state(value);
 /// `Slot` is the payload's; with void the event carries nothing.
 template <class Slot, class... Payload>
@@ -44,7 +44,9 @@ class Emitter {
   /// Never blocks; never allocates in a task's thread, and in another one only for its first
   /// payload of more than 4 KiB. If the payload exceeds its declared capacity the answer is
   /// Errc::TooLarge, and if the contract does not admit a value of it Errc::Invalid; then no
-  /// subscriber gets it.
+  /// subscriber gets it. Success does not mean that each one gets it: a subscriber whose queue is
+  /// full loses the event, which is counted as events_dropped in the reports of both ends; but it
+  /// always gets the last value of a latched() event.
   Result<std::void_t<Slot>> operator()(const Payload&... payload) {  // see resultOf()
     LooseSlot<Slot> slot;
     const bool fits = store(payload..., slot.value());

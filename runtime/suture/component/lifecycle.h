@@ -14,11 +14,12 @@ enum class Transition : std::uint8_t { Configure, Start, Suspend, Resume, Stop, 
 const char* toString(ComponentState state);
 const char* toString(Transition transition);
 
-/// Returns where `transition` leads from `state`, in static storage, or null if it is not legal
-/// there.
+/// Any thread. Returns where `transition` leads from `state`, in static storage, or null if it is
+/// not legal there.
 const ComponentState* after(ComponentState state, Transition transition);
 
-/// Throws SetupError if `transition` of the component `name`, which is in `state`, is not legal.
+/// Any thread. Throws SetupError if `transition` of the component `name`, which is in `state`, is
+/// not legal.
 void requireLegal(const std::string& name, ComponentState state, Transition transition);
 
 /// Is called for every change of one component's state, in the thread that changes it: the

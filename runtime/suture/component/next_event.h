@@ -57,6 +57,7 @@ class [[nodiscard]] NextEvent final : private AwaitedEvent {
     }
     return answer_;
   }
+  /// Does the same for an object that nobody keeps.
   Answer within(Duration limit) && {
     within(limit);
     return std::move(answer_);

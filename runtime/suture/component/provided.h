@@ -50,6 +50,8 @@ class ProvidedBase {
   ProvidedBase(const ProvidedBase&) = delete;
   ProvidedBase& operator=(const ProvidedBase&) = delete;
 
+  /// Any thread. Return the name that the constructor was given, what suturec knows of the
+  /// contract, and the component.
   const std::string& name() const { return name_; }
   const InterfaceInfo& info() const { return info_; }
   Component& owner() const { return owner_; }
@@ -59,6 +61,8 @@ class ProvidedBase {
   const std::shared_ptr<rt::StateTable>& state();
   /// Any thread. Returns the columns of it that clients have asked for.
   rt::ColumnSet demand() const;
+  /// Returns the clients. Only the thread that serves this interface may walk along them; any
+  /// thread of a device may.
   const ChannelList& channels() const { return channels_; }
   /// Any thread; never allocates. Returns which part of the last row, answer or event the contract
   /// did not admit: "measured_cp.pose". It begins with the name of the command or event, and is
@@ -76,6 +80,7 @@ class ProvidedBase {
   /// its poses and vectors. A client that expects others is refused. Throws SetupError if others
   /// have been declared.
   void declareFrames(const Frames& frames) { frames_.add(frames, name_); }
+  /// Any thread, once clients may connect. Returns what was declared; both are "" if nothing was.
   const Frames& frames() const { return frames_.get(); }
 
   /// Any thread. Adds a client, which is served from the next cycle on.

@@ -43,6 +43,8 @@ class RequiredBase : protected RequiredParts {
   RequiredBase(const RequiredBase&) = delete;
   RequiredBase& operator=(const RequiredBase&) = delete;
 
+  /// Any thread. Return the name that the constructor was given, what suturec knows of the
+  /// contract, and the component.
   const std::string& name() const { return attachment.name(); }
   const InterfaceInfo& info() const { return attachment.info(); }
   Component& owner() const { return attachment.owner(); }
@@ -132,7 +134,7 @@ class RequiredBase : protected RequiredParts {
   // --- for those who need no generated members
 
   /// Subscribes like Subscription: `handler` gets the payload's slot of each event `event`, and
-  /// when it was emitted (on the `rpc` lane when it arrived, unless it is a replay).
+  /// when it was emitted, on the clock of this process.
   Result<void> handle(std::uint16_t event, std::function<void(const std::byte*, Time)> handler);
   /// In a constructor: says that it needs the rows of its provider's state table one by one, so it
   /// cannot be connected to a device of its own process, whose reads are evaluated by each call.

@@ -52,6 +52,7 @@ class Manager {
   Manager(const Manager&) = delete;
   Manager& operator=(const Manager&) = delete;
 
+  /// Any thread. Returns the name of this process.
   const std::string& process() const { return directory_.process(); }
 
   /// `name` must be unique in this process. Gives the component its provided interface "component"
@@ -80,6 +81,7 @@ class Manager {
   /// SetupError if there is none, if it is not running or not suspended, or if it does not get
   /// there within `patience`: its run() does not return, or no thread calls trigger().
   void suspend(const std::string& component, Duration patience = kDefaultPatience);
+  /// Does the opposite under the same conditions.
   void resume(const std::string& component, Duration patience = kDefaultPatience);
   /// Any thread. Makes a connect() that waits for another process throw now, and later ones too,
   /// for a process that must end while it starts.
@@ -115,6 +117,7 @@ class Manager {
   /// connected, still lost, or awaits no operator.
   void resumeConnection(std::string_view required);
 
+  /// Returns the components and interfaces of this process by name, for tools.
   const Directory& directory() const { return directory_; }
   /// Returns the address of the global manager while it does not answer, else ""; of several, those
   /// that do not, separated by commas. Connections live on without it, and it is asked again until

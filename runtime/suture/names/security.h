@@ -8,11 +8,13 @@
 
 namespace suture {
 
-/// Has no keys, so no tls:// addresses, and the policy of Policy(), unless they are set.
+/// Is a plain value of set-up code; the keys may be shared by threads. It has no keys, so no tls://
+/// addresses, and the policy of Policy(), unless they are set.
 struct Security {
   std::shared_ptr<const tls::Keys> keys{};
   Policy policy{};
 
+  /// Returns which peers this process trusts, by its keys and its policy.
   rpc::Trust trust() const { return {.keys = keys, .users = policy.users()}; }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// This is what a process does, as numbers: its connections, tasks and devices at one moment,
-// counted from their start.
+// A report says in numbers what a process does: its connections, tasks and devices at one moment,
+// counted from their start. These are plain values, which belong to whoever has made them.
 
 #include <suture/base/time.h>
 #include <suture/component/channel/channel.h>
@@ -119,8 +119,9 @@ struct Report {
   Duration processorTime{};       ///< of all its threads: of tasks, and of what carries connections
 };
 
-/// Durations are written as whole nanoseconds, "dropped" beside what it is the sum of, and a
-/// contract that is not there as null.
+/// Any thread. Turn a report into JSON: durations become whole nanoseconds, "dropped" stands beside
+/// what it is the sum of, and a contract that is not there is null. docs/howto/reports.md explains
+/// each field.
 nlohmann::json toJson(const ConnectionReport& report);
 nlohmann::json toJson(const TaskReport& report);
 nlohmann::json toJson(const DeviceReport& report);

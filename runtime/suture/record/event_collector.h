@@ -41,7 +41,9 @@ class EventCollector final : public EventTask {
   void startCollecting();
   /// From now on discards the events that it takes, without counting them.
   void stopCollecting();
+  /// Returns true from the first to the last of the events that may be kept.
   bool collecting() const { return collection_.active(); }
+  /// Returns how many events were kept, passed over and missed since startCollecting().
   CollectedCounts counts() const { return collection_.counts(); }
 
  private:

@@ -53,7 +53,9 @@ class StateCollector final : public EventTask {
   void startCollecting();
   /// Makes the next cycle the last that keeps rows.
   void stopCollecting();
+  /// Returns true from the first to the last of the rows that may be kept.
   bool collecting() const { return collection_.active(); }
+  /// Returns how many rows were kept, passed over and missed since startCollecting().
   CollectedCounts counts() const { return collection_.counts(); }
 
  private:

@@ -22,12 +22,16 @@ class MessageSender {
  public:
   explicit MessageSender(Provided<Contract>& provided) : provided_(provided) {}
 
+  /// Emits the event status: something has been done, and nothing is wrong.
   void status(std::string_view text, std::uint32_t code = 0) {
     send([&](const Message& message) { (void)provided_.emit().status(message); }, text, code);
   }
+  /// Emits the event warning: something was refused, or is not as it should be; the component goes
+  /// on.
   void warning(std::string_view text, std::uint32_t code = 0) {
     send([&](const Message& message) { (void)provided_.emit().warning(message); }, text, code);
   }
+  /// Emits the event error: something failed, and needs somebody's attention.
   void error(std::string_view text, std::uint32_t code = 0) {
     send([&](const Message& message) { (void)provided_.emit().error(message); }, text, code);
   }

@@ -26,16 +26,19 @@ struct JsonProblem {
   std::string text;
 };
 
-/// Set-up code only. Holds one JSON value that becomes one C++ value. It collects all problems
-/// instead of stopping at the first.
+/// One thread, and set-up code only, since it allocates. Holds one JSON value that becomes one C++
+/// value. It collects all problems instead of stopping at the first. It must not outlive the JSON
+/// nor the list of problems that its constructor gets.
 class JsonReader {
  public:
   JsonReader(const nlohmann::json& json, std::string pointer, std::vector<JsonProblem>& problems)
       : json_(json), pointer_(std::move(pointer)), problems_(problems) {}
 
+  /// Returns the value that it holds.
   const nlohmann::json& json() const { return json_; }
   /// Reports: "expected a number, found the string \"fast\"".
   void expected(std::string_view what) const;
+  /// Reports `text` at the place of this value.
   void report(std::string text) const { problems_.push_back({pointer_, std::move(text)}); }
 
   /// Reads member `key` of this object into `target`; if it is absent, `target` keeps its default.
@@ -59,11 +62,14 @@ class JsonReader {
   /// Reports every number, here or within lists and objects, that is not between the two.
   void checkRange(double lowest, double highest) const;
 
+  /// Return a reader of a member of this object, or of an element of this list, which must be
+  /// there.
   JsonReader at(const std::string& key) const;
   JsonReader at(std::size_t index) const;
   /// Reports and returns true if this value lies deeper than any real one, because types may
   /// contain themselves.
   bool tooDeep() const;
+  /// Returns true if this value is a list of `size` elements; reports nothing.
   bool isArrayOf(std::size_t size) const;
 
  private:

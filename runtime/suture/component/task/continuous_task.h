@@ -10,7 +10,8 @@ struct ContinuousOptions {
 
 /// Runs one cycle after another without a pause, for a run() that itself waits, say for the next
 /// frame of a camera. Give each such wait a deadline, because stop() waits for the cycle. On a
-/// stepped clock each cycle takes at least kLeastCycle, because the task never sleeps.
+/// stepped clock each cycle takes at least kLeastCycle, because the task never sleeps. The task has
+/// a thread of its own, in which run(), commands and handlers run.
 class ContinuousTask : public ThreadTask {
  public:
   static constexpr Duration kLeastCycle = std::chrono::microseconds(100);

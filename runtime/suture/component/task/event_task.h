@@ -14,7 +14,8 @@ struct EventOptions {
 };
 
 /// Sleeps until a command, an event or an answer arrives, then runs one cycle. What a cycle has
-/// taken itself, by within() or poll(), starts no other cycle.
+/// taken itself, by within() or poll(), starts no other cycle. The task has a thread of its own, in
+/// which run(), commands and handlers run.
 class EventTask : public ThreadTask {
  public:
   /// Throws SetupError if the longest sleep is not positive.

@@ -71,6 +71,7 @@ class Task : public Component {
   /// a thread that is not its own.
   virtual std::optional<Duration> processorTime() const { return std::nullopt; }
 
+  /// Any thread. Returns how its cycles have gone so far, counted since the task was made.
   const TaskStatistics& statistics() const { return statistics_; }
   /// Any thread. Tells if its thread, or its host's if it is a guest, works, sleeps or hangs.
   const TaskActivity& activity() const {

@@ -25,8 +25,8 @@ struct EventCounters {
 /// nobody. Of a latched event it keeps the last value all the same, because a subscriber that
 /// misses it would believe that an older value still holds.
 ///
-/// In foreign memory each process has an object of its own and uses one end. The consumer skips
-/// what cannot be an event.
+/// In memory that processes share, each process has an object of its own and uses one end. The
+/// consumer skips records that cannot be events, because the other process may write anything.
 class EventQueue {
  public:
   EventQueue(std::span<const EventLimits> events, Producers producers, Arena& arena);
@@ -45,8 +45,9 @@ class EventQueue {
   /// returns must be followed by pop().
   const EventRecord* next();
   void pop();
-  /// The consumer, for a subscriber that begins now: what waits of `event` is not meant for it. A
-  /// queued one is still returned by next(), since somebody may await it, but is fromBefore().
+  /// The consumer, when a subscriber of `event` begins: it is to hear no event that waits already.
+  /// next() still returns those in the queue, since a NextEvent may await one, but says by
+  /// fromBefore() that they are earlier.
   void beginAnew(std::uint16_t event);
   /// The consumer. Returns true if what next() returned waited already at beginAnew().
   bool fromBefore() const;
@@ -98,7 +99,7 @@ class EventQueue {
   EventRecord* next_ = nullptr;  // what the last next() returned
   bool fromRing_ = false;
   std::size_t cell_ = 0;              // if it is not from the ring
-  std::vector<std::uint64_t> begin_;  // by event: where in the ring beginAnew() found the end
+  std::vector<std::uint64_t> begin_;  // by event: the end of the ring at its last beginAnew()
   const std::shared_ptr<EventCounters> counters_;
 };
 
