@@ -129,7 +129,9 @@ kj::Promise<void> LinkServer::whenStranger(std::shared_ptr<Caller> caller) {
       .then([this, caller = std::move(caller)]() -> kj::Promise<void> {
         if (caller->known) return kj::NEVER_DONE;
         refusals_.add(caller->identity.text(),
-                      "talk to " + address().text() + ": it has not said what it wants in time");
+                      "talk to " + address().text() +
+                          ": see what that process does: it sends messages, and has not said who "
+                          "it is for seconds");
         return kj::READY_NOW;
       });
 }

@@ -198,6 +198,10 @@ TEST_F(SecureLinkTest, ASilentPeerIsClosedAfterTheHandshake) {
   auto gone = link->onDisconnect().then([] { return true; });
   EXPECT_TRUE(gone.exclusiveJoin(kj::mv(late)).wait(port_.scope()));
   EXPECT_NE(callFault(*link), "answered");
+  const std::string told = refusals_.summary().latest;
+  EXPECT_TRUE(
+      contains(told, "see what that process does: it sends messages, and has not said who it is"))
+      << told;
 }
 
 TEST_F(SecureLinkTest, AKnownPeerStays) {
