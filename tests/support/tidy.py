@@ -1,6 +1,6 @@
 """Runs clang-tidy on sources, by the commands of a unity build.
 
-  tidy.py BUILD < SOURCES    on the sources named on standard input
+  tidy.py BUILD < FILES      on the sources named on standard input, and for each header on a source that includes it
   tidy.py BUILD --all        on all that is built, as it is built: many sources in one unit have their headers read once
 
 A unity build's list of commands knows the files that include the sources, and not the sources: each gets the command of the file
@@ -20,6 +20,7 @@ TOOL = "clang-tidy-19"
 FIRST = pathlib.Path(__file__).parents[2] / "runtime/suture/loop/kj_comparisons.h"
 FINDING = re.compile(r": (?:warning|error): ")
 INCLUDED = re.compile(r'^#include "(.+)"$', re.M)
+INCLUDE = re.compile(r'^#include [<"](.+)[>"]$', re.M)
 
 
 def units(build):
@@ -45,6 +46,25 @@ def commands(build):
     return result
 
 
+def including(header, sources, preferred=()):
+    """Returns one of the sources that include a header, by other headers if need be; None if none does. One of the preferred if it can be."""
+    texts = {source: INCLUDE.findall(pathlib.Path(source).read_text(encoding="utf-8")) for source in sources if pathlib.Path(source).exists()}
+    headers = {}  # the includes of each header of the folders where a source lies
+    for folder in {pathlib.Path(source).parent for source in texts}:
+        for path in folder.glob("*.h"):
+            headers[str(path)] = INCLUDE.findall(path.read_text(encoding="utf-8"))
+    reached, added = {header}, {header}
+    while added:
+        has = lambda includes: any(str(one).endswith("/" + include) for include in includes for one in added)
+        found = [source for source in texts if has(texts[source])]
+        if found:
+            own = str(pathlib.Path(header).with_suffix(".cpp"))
+            return min(found, key=lambda source: (source not in preferred, source != own, source))
+        added = {path for path in headers if path not in reached and has(headers[path])}
+        reached |= added
+    return None
+
+
 def examine(job):
     database, source, options = job
     result = subprocess.run([TOOL, "--quiet", f"--extra-arg-before=-include{FIRST}", *options, "-p", database, source], capture_output=True, text=True)
@@ -60,7 +80,11 @@ def main():
     else:
         known = commands(build)
         wanted = [str(pathlib.Path(line).resolve()) for line in sys.stdin.read().split()]
-        examined = [known[source] for source in wanted if source in known]
+        chosen = {source for source in wanted if source in known}
+        for header in wanted:
+            if header.endswith(".h"):
+                chosen |= {including(header, known, chosen)} - {None}
+        examined = [known[source] for source in sorted(chosen)]
     database = build / "tidy"
     database.mkdir(exist_ok=True)
     (database / "compile_commands.json").write_text(json.dumps(examined), encoding="utf-8")
