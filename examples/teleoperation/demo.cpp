@@ -1,6 +1,8 @@
 // suture-demo: two masters drive two slaves, in one process or across two, and the run is judged.
 
 #include <suture/base/errors.h>
+#include <suture/lane/lane.h>
+#include <suture/lane/lanes.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -79,11 +81,13 @@ void declare(CLI::App& app, demo::Options& options) {
                  "deployment file")
       ->type_name("NAME|FILE.json")
       ->capture_default_str();
+  std::vector<std::string> lanes = suture::laneNames(suture::makeLanes());
+  lanes.insert(lanes.begin(), suture::Lane::Auto.name);
   app.add_option("--lane", options.lane,
                  "auto: the fastest lane that fits; shm: shared memory, rpc: Cap'n Proto RPC, both "
                  "even within a process, but for an arm and its drives")
       ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "shm", "frame", "rpc"}));
+      ->check(CLI::IsMember(lanes));
   app.add_option(
          "--network", options.network,
          "What processes talk over. auto: namespaces where they can be made (as root), else "

@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 
 enum class LaneUnderFault { Local, Shm, Frame, Rpc };
 constexpr const char* kLanes[] = {"Local", "Shm", "Frame", "Rpc"};
-constexpr Lane kAsked[] = {Lane::Auto, Lane::Auto, Lane::Frame, Lane::Rpc};
+const Lane kAsked[] = {Lane::Auto, Lane::Auto, Lane::Frame, Lane::Rpc};
 // The lane of a connection with faults has such a name.
 constexpr const char* kLaneNames[] = {"local+fault", "shm+fault", "frame+fault", "rpc+fault"};
 
@@ -168,7 +168,7 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     logs.push_back(directory_.file("c"));
     const auto history = readHistory(logs);
     EXPECT_GT(history.size(), 20u);
-    expectSoundHistory(history);
+    expectSoundHistory(history, {});  // nothing is late on a stepped clock
   }
 
   struct Names {

@@ -5,7 +5,8 @@
 #include <suture/deploy/process/components.h>
 #include <suture/deploy/process/security.h>
 #include <suture/lane/delay/delay_thread.h>
-#include <suture/lane/lane_limits.h>
+#include <suture/lane/lane_refusals.h>
+#include <suture/lane/lanes.h>
 #include <suture/manager/lifecycle_interface.h>
 #include <suture/names/peer_address.h>
 #include <suture/net/address.h>
@@ -50,9 +51,17 @@ std::vector<rpc::Address> managersOf(const Deployment& deployment) {
   }
 }
 
+std::string nameOf(const ConnectionEntry& connection) {
+  return connection.from.toString() + " -> " + connection.to.toString();
+}
+
 class Check {
  public:
-  Check(const Deployment& deployment, Checked& found) : deployment_(deployment), found_(found) {}
+  Check(const Deployment& deployment, const AddedLanes& added, Checked& found)
+      : deployment_(deployment), found_(found) {
+    if (added == nullptr) return;
+    for (auto& lane : added()) lanes_.push_back(std::move(lane));
+  }
 
   void judge(const ProcessEntry& process, std::span<const ComponentClass> classes) {
     stations_.emplace_back(deployment_, process, classes, found_.problems);
@@ -70,6 +79,7 @@ class Check {
     for (const ConnectionEntry& connection : deployment_.connections()) {
       const bool fromHere = stationOf(connection.from) != nullptr;
       connections_ += fromHere || stationOf(connection.to) != nullptr ? 1 : 0;
+      if (fromHere) attempt(connection, [&] { requireLane(connection); });
       const std::optional<Joined> joined = join(connection);
       if (joined) judge(connection, *joined);
     }
@@ -134,7 +144,7 @@ class Check {
   }
 
   void judge(const ConnectionEntry& connection, const Joined& joined) {
-    const std::string name = connection.from.toString() + " -> " + connection.to.toString();
+    const std::string name = nameOf(connection);
     const InterfaceInfo& required = joined.required->info();
     const bool local =
         connection.from.process == connection.to.process && connection.options.lane == Lane::Auto;
@@ -149,10 +159,19 @@ class Check {
     if (connection.options.laneRequired) judgeLane(connection, required, name);
   }
 
+  // The process of a connection's client is the one that asks for its lane.
+  void requireLane(const ConnectionEntry& connection) const {
+    const Lane& lane = connection.options.lane;
+    if (lane == Lane::Auto || findLane(lanes_, lane.name) != lanes_.end()) return;
+    throw laneUnknown(nameOf(connection), lane, laneNames(lanes_));
+  }
+
   void judgeLane(const ConnectionEntry& connection, const InterfaceInfo& contract,
                  const std::string& name) {
-    const Lane lane = connection.options.lane;
-    const std::string why = whyNever(lane, contract, areReachedByUnixSockets());
+    const Lane& lane = connection.options.lane;
+    const auto found = findLane(lanes_, lane.name);
+    if (found == lanes_.end()) return;
+    const std::string why = (*found)->whyNever(contract, areReachedByUnixSockets());
     if (why.empty()) return;
     add({deployment_.document().locate(connection.pointer, laneRefused(name, lane, why).what())});
   }
@@ -175,6 +194,7 @@ class Check {
 
   const Deployment& deployment_;
   Checked& found_;
+  Lanes lanes_ = makeLanes();
   std::deque<Station> stations_;
   std::size_t components_ = 0, connections_ = 0;
 };
@@ -191,11 +211,11 @@ void tellOnce(std::vector<std::string>& lines) {
 }  // namespace
 
 Checked checkDeployment(const std::filesystem::path& file, const std::string& process,
-                        std::span<const ComponentClass> classes) {
+                        std::span<const ComponentClass> classes, const AddedLanes& added) {
   Checked found;
   try {
     const Deployment deployment(JsonDocument::read(file), found.problems);
-    Check check(deployment, found);
+    Check check(deployment, added, found);
     if (process.empty()) {
       for (const ProcessEntry& one : deployment.processes()) check.judge(one, classes);
     } else {

@@ -2,6 +2,7 @@
 // This judges a whole deployment file before any of it runs.
 
 #include <suture/component/factory/component_class.h>
+#include <suture/lane/added_lanes.h>
 
 #include <filesystem>
 #include <span>
@@ -23,6 +24,6 @@ struct Checked {
 /// libraries that the file names, and destroyed again. Nothing is configured, started, connected or
 /// asked of the machine's scheduler.
 Checked checkDeployment(const std::filesystem::path& file, const std::string& process,
-                        std::span<const ComponentClass> classes);
+                        std::span<const ComponentClass> classes, const AddedLanes& added = {});
 
 }  // namespace suture

@@ -3,7 +3,10 @@
 #include <suture/component/task/task.h>
 #include <suture/deploy/host.h>
 #include <suture/deploy/process/security.h>
+#include <suture/lane/lane_kind.h>
+#include <suture/lane/lane_refusals.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -73,6 +76,23 @@ void Host::configure() {
   if (!problems.empty()) throw DocumentError(problems);
 }
 
+void Host::addLane(std::unique_ptr<LaneKind> lane) { manager_->addLane(std::move(lane)); }
+
+// A deployment may name a lane that only its program knows, so it is this that finds a wrong name.
+void Host::requireLanes() const {
+  const std::vector<std::string> known = manager_->lanes();
+  std::vector<std::string> problems;
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    const Lane& lane = connection.options.lane;
+    if (connection.from.process != process_.name || lane == Lane::Auto) continue;
+    if (std::find(known.begin(), known.end(), lane.name) != known.end()) continue;
+    const std::string name = connection.from.toString() + " -> " + connection.to.toString();
+    problems.push_back(deployment_.document().locate(connection.pointer + "/lane",
+                                                     laneUnknown(name, lane, known).what()));
+  }
+  if (!problems.empty()) throw DocumentError(problems);
+}
+
 // This comes before a component runs, which else could take a connection on its way for a missing
 // one.
 void Host::announceConnections() {
@@ -88,6 +108,7 @@ void Host::announceConnections() {
 }
 
 void Host::start() {
+  requireLanes();
   announceConnections();
   configure();
   faults_->begin();

@@ -39,6 +39,9 @@ class Host {
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
+  /// Before start(): adds a lane, as Manager::addLane() does, which the deployment may name. Throws
+  /// SetupError.
+  void addLane(std::unique_ptr<LaneKind> lane);
   /// Before start(): makes news() tell the standard messages of the components too. Throws
   /// SetupError.
   void listenToMessages();
@@ -71,6 +74,7 @@ class Host {
  private:
   void createManager();
   std::span<const std::unique_ptr<Component>> components() const { return components_->all(); }
+  void requireLanes() const;
   void announceConnections();
   void configure();
   bool faultedForGood(const Component& component) const;

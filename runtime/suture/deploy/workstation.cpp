@@ -6,6 +6,7 @@
 #include <suture/deploy/report_descriptor.h>
 #include <suture/deploy/report_writer.h>
 #include <suture/deploy/workstation.h>
+#include <suture/lane/lane_kind.h>
 #include <suture/loop/signal_wait.h>
 #include <suture/loop/standard_streams.h>
 #include <suture/observe/observe.h>
@@ -284,8 +285,9 @@ void tell(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::fprintf(stderr, "%s\n", line.c_str());
 }
 
-int check(const Options& options, std::span<const ComponentClass> classes) {
-  const Checked found = checkDeployment(options.deployment, options.process, classes);
+int check(const Options& options, std::span<const ComponentClass> classes,
+          const AddedLanes& added) {
+  const Checked found = checkDeployment(options.deployment, options.process, classes, added);
   tell(found.warnings);
   if (!found.problems.empty()) {
     tell({explained(DocumentError(found.problems).what())});
@@ -294,12 +296,16 @@ int check(const Options& options, std::span<const ComponentClass> classes) {
   return print(options.deployment + ": no mistake in " + found.subject + "\n");
 }
 
-int runWorkstation(const Options& options, std::span<const ComponentClass> classes) {
+int runWorkstation(const Options& options, std::span<const ComponentClass> classes,
+                   const AddedLanes& added) {
   allowAllDescriptors();
   const SignalWait signals;
   auto told = std::make_optional<OnToldToEnd>(signals, [] { _exit(0); });  // nothing runs yet
   const Deployment deployment(JsonDocument::read(options.deployment));
   Host host(deployment, processOf(deployment, options), classes);
+  if (added != nullptr) {
+    for (auto& lane : added()) host.addLane(std::move(lane));
+  }
   if (options.messages) host.listenToMessages();
   tell(host.news());
   told.reset();
@@ -309,7 +315,8 @@ int runWorkstation(const Options& options, std::span<const ComponentClass> class
 
 }  // namespace
 
-int workstationMain(int argc, const char* const* argv, std::span<const ComponentClass> classes) {
+int workstationMain(int argc, const char* const* argv, std::span<const ComponentClass> classes,
+                    const AddedLanes& added) {
   std::signal(SIGPIPE, SIG_IGN);
   Options options;
   CLI::App app("Runs one process of a deployment.");
@@ -317,7 +324,7 @@ int workstationMain(int argc, const char* const* argv, std::span<const Component
   if (const std::optional<int> status = read(app, options, argc, argv)) return *status;
   openStandardDescriptors();  // --report-fd has been refused one that was closed
   try {
-    return options.check ? check(options, classes) : runWorkstation(options, classes);
+    return options.check ? check(options, classes, added) : runWorkstation(options, classes, added);
   } catch (const std::exception& error) {
     tell({explained(error.what())});
     return kFailed;

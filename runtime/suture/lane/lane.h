@@ -2,11 +2,11 @@
 // This names the lane that is asked for.
 
 #include <string>
-#include <string_view>
 
 namespace suture {
 
-/// Names a lane: one of the runtime's own, or one that Manager::addLane() has brought.
+/// Names a lane: one of the runtime's own, or one that Manager::addLane() has brought. Whether
+/// there is one of that name is found when a connection is made.
 struct Lane {
   static const Lane Auto;   ///< `local` within the process; to another process the fastest that
                             ///< fits
@@ -14,19 +14,16 @@ struct Lane {
   static const Lane Frame;  ///< frames on a socket and thread of their own
   static const Lane Rpc;    ///< Cap'n Proto RPC
 
-  std::string_view name;  ///< lives as long as the program
+  std::string name;
 
-  friend bool operator==(Lane, Lane) = default;
+  friend bool operator==(const Lane&, const Lane&) = default;
 };
 
-inline constexpr Lane Lane::Auto{"auto"};
-inline constexpr Lane Lane::Shm{"shm"};
-inline constexpr Lane Lane::Frame{"frame"};
-inline constexpr Lane Lane::Rpc{"rpc"};
+inline const Lane Lane::Auto{"auto"};
+inline const Lane Lane::Shm{"shm"};
+inline const Lane Lane::Frame{"frame"};
+inline const Lane Lane::Rpc{"rpc"};
 
-inline std::string toString(Lane lane) { return std::string(lane.name); }
-
-/// Returns the runtime's own lane of that name; any other text means Lane::Auto.
-Lane laneNamed(std::string_view name);
+inline std::string toString(const Lane& lane) { return lane.name; }
 
 }  // namespace suture

@@ -134,6 +134,11 @@ class LaneKind {
   virtual ~LaneKind() noexcept(false) = default;
   /// Returns the name for reports, deployments and the peer: "frame".
   virtual const char* name() const = 0;
+  /// Any thread. Returns why no connection of this contract can ever travel by it, whatever the two
+  /// processes are; "" if one may. `byUnixSocket` says how they reach each other.
+  virtual std::string whyNever(const InterfaceInfo& /*contract*/, bool /*byUnixSocket*/) const {
+    return "";
+  }
   virtual kj::Own<LaneClient> makeClient(ClientSession& session) = 0;
   virtual kj::Own<LaneServer> makeServer(ServerSession& session) = 0;
   /// The thread that made it, after the last session: it rings no thread any more.

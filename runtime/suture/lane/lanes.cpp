@@ -15,6 +15,12 @@ Lanes makeLanes() {
   return lanes;
 }
 
+std::vector<std::string> laneNames(const Lanes& lanes) {
+  std::vector<std::string> names;
+  for (const auto& kind : lanes) names.emplace_back(kind->name());
+  return names;
+}
+
 Lanes::const_iterator findLane(const Lanes& lanes, std::string_view name) {
   return std::find_if(lanes.begin(), lanes.end(),
                       [name](const auto& kind) { return kind->name() == name; });

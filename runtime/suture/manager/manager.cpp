@@ -149,6 +149,10 @@ void Manager::addLane(std::unique_ptr<LaneKind> lane) {
   network_->addLane(std::move(lane));
 }
 
+std::vector<std::string> Manager::lanes() const {
+  return network_ == nullptr ? std::vector<std::string>{} : network_->lanes();
+}
+
 void Manager::configure() {
   for (Component* component : directory_.components()) {
     if (after(component->state(), Transition::Configure)) component->configure();

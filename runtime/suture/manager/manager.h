@@ -67,6 +67,9 @@ class Manager {
   /// (suture/lane/lane_kind.h), which carries the connections that ask for it by its name. Throws
   /// SetupError without a global manager, or if that name exists.
   void addLane(std::unique_ptr<LaneKind> lane);
+  /// Returns the names of the lanes to another process, the fastest first and those that were added
+  /// last; none without a global manager.
+  std::vector<std::string> lanes() const;
 
   /// Configures the components that are not configured. One whose onConfigure() throws is parked.
   void configure();

@@ -81,12 +81,14 @@ class Network::Impl {
 
   void addLane(std::unique_ptr<LaneKind> lane) {
     const std::string name = lane->name();
-    if (findLane(lanes_, name) != lanes_.end()) {
+    if (name == Lane::Auto.name || findLane(lanes_, name) != lanes_.end()) {
       throw SetupError("adding lane '" + name + "'", "there is one of that name",
                        "Give it a name of its own");
     }
     run(control_, kLocalWork, [this, &lane] { lanes_.push_back(std::move(lane)); });
   }
+
+  std::vector<std::string> lanes() const { return laneNames(lanes_); }
 
   void publish() {
     run(control_, kLocalWork, [this, components = describeComponents(directory_)] {
@@ -120,10 +122,10 @@ class Network::Impl {
                 std::lock_guard lock(mutex_);
                 whyNotBack_[channel] = std::move(why);
               }};
-      auto& connection = connections_[name];
-      connection = std::make_unique<RemoteConnection>(
+      auto begun = std::make_unique<RemoteConnection>(
           control_, *sessions_, lanes_, required, from, to, options, listener, delays, watch,
           ledgerOf(from.toString() + " -> " + to.toString()));
+      auto& connection = connections_[name] = std::move(begun);
       const std::string waits = "waits for '" + to.toString() + "' " + atMost(options.patience) +
                                 ". Start process '" + to.process + "' if it does not run";
       // Forget what could not be connected, because it may be gone before this is.
@@ -273,6 +275,8 @@ void Network::schedule(const rt::Scheduling& scheduling) { impl_->schedule(sched
 void Network::publish() { impl_->publish(); }
 
 void Network::addLane(std::unique_ptr<LaneKind> lane) { impl_->addLane(std::move(lane)); }
+
+std::vector<std::string> Network::lanes() const { return impl_->lanes(); }
 
 void Network::connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
                       const ConnectOptions& options, DelayThread* delays,

@@ -48,6 +48,8 @@ class Network {
   /// name.
   void addLane(std::unique_ptr<LaneKind> lane);
 
+  std::vector<std::string> lanes() const;
+
   /// Announces the components that are in the directory, and lets peers connect to them.
   void publish();
 

@@ -82,7 +82,7 @@ std::string allocationRows(const NetworkOptions& options, Report& report) {
   table.row({"allocations in steady state, CRTK arm at 1 kHz", "client's task", "arm's task",
              "lane threads"});
   table.line();
-  for (const suture::Lane lane : kLanes) {
+  for (const suture::Lane& lane : kLanes) {
     const std::string figure = "allocations." + toString(lane);
     if (!suture::countsAllocations()) {
       for (const char* end : {".client", ".arm", ".lane", ".lane_threads"}) {

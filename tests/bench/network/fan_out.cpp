@@ -125,7 +125,7 @@ std::string networkFanOutRows(const NetworkOptions& options, Report& report) {
   const double floor =
       addRow("64 bare Unix sockets", "fan_out.raw", bareFanOut(kMessageBytes, kInterfaces, rounds),
              expected, table, report);
-  for (const suture::Lane lane : kLanes) {
+  for (const suture::Lane& lane : kLanes) {
     const std::string figure = "fan_out." + toString(lane);
     const double p99 = addRow("64 interfaces of a task", figure,
                               fanOut(lane, {1, kInterfaces}, rounds), expected, table, report);

@@ -153,7 +153,7 @@ std::string idleRows(const NetworkOptions& options, Report& report) {
   table.row({"idle connections of two processes", "lane", "load %", "wake-ups/s", "bytes/s",
              "descriptors", "client KiB", "ms each"});
   table.line();
-  for (const suture::Lane lane : kLanes) {
+  for (const suture::Lane& lane : kLanes) {
     std::vector<Idle> all;
     for (const std::size_t connections : kConnections) {
       const Idle& now = all.emplace_back(idle(lane, connections, options));

@@ -96,7 +96,7 @@ std::string imageRows(const NetworkOptions& options, Report& report) {
   Table table(2);
   table.row(joined({"us, age of a goal at 1 kHz", "lane"}, statisticsTitles()));
   table.line();
-  for (const suture::Lane lane : kLanes) {
+  for (const suture::Lane& lane : kLanes) {
     const std::string figure = "images." + toString(lane);
     const AloneAndBeside result = measureLane(lane, options.goals());
     report.add(figure + ".alone", "us", result.alone);

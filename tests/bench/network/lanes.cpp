@@ -9,7 +9,7 @@
 namespace bench {
 
 void addEncodedFrames(suture::Manager& manager) {
-  manager.addLane(std::make_unique<suture::frame::FrameLane>(kEncodedFrames.name.data(),
+  manager.addLane(std::make_unique<suture::frame::FrameLane>(kEncodedFrames.name.c_str(),
                                                              suture::frame::Form::Encoded));
 }
 

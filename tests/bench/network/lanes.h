@@ -10,8 +10,7 @@
 namespace bench {
 
 /// Another process of this machine can be reached by these; they are part of the figures' names.
-inline constexpr suture::Lane kLanes[] = {suture::Lane::Shm, suture::Lane::Frame,
-                                          suture::Lane::Rpc};
+inline const suture::Lane kLanes[] = {suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc};
 
 /// Is a lane, over one kind of socket.
 struct LaneOverSocket {
@@ -30,7 +29,7 @@ inline constexpr LaneOverSocket kLanesOverSockets[] = {
 };
 
 /// Is `frame` as between builds that differ, in a process that has had addEncodedFrames().
-inline constexpr suture::Lane kEncodedFrames{"frame-encoded"};
+inline const suture::Lane kEncodedFrames{"frame-encoded"};
 void addEncodedFrames(suture::Manager& manager);
 
 /// Does as Manager::connect(). Throws SetupError too if the connection has another lane.

@@ -114,7 +114,7 @@ std::string linkTimeRows(const NetworkOptions& options, Report& report) {
   Table table(2);
   table.row(joined({"ms", "lane"}, statisticsTitles()));
   table.line();
-  for (const suture::Lane lane : kLanes) {
+  for (const suture::Lane& lane : kLanes) {
     const std::string name = toString(lane);
     const auto row = [&](const char* title, const std::string& figure, const Statistics& times) {
       report.add(figure + "." + name, "ms", times);

@@ -227,7 +227,7 @@ std::string survivorRows(const NetworkOptions& options, Report& report) {
   const Names names(Transport::Unix);
   std::map<std::string, Survived> survived;  // by lane
   for (std::size_t round = 0; round < options.survivorRounds(); ++round) {
-    for (const suture::Lane lane : kLanes)
+    for (const suture::Lane& lane : kLanes)
       survived[toString(lane)] += survive(lane, names, options);
   }
 
@@ -237,7 +237,7 @@ std::string survivorRows(const NetworkOptions& options, Report& report) {
                  (fifo ? "SCHED_FIFO" : "default policy"),
              "faults", "periods", "skipped, %", "a bare loop beside", "longest cycle, ms"});
   table.line();
-  for (const suture::Lane lane : kLanes) {
+  for (const suture::Lane& lane : kLanes) {
     const std::string figure = "survivors." + toString(lane);
     const auto& [faults, task, bare] = survived[toString(lane)];
     const double longest = static_cast<double>(task.longest.count()) / 1e6;

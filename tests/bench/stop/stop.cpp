@@ -41,7 +41,7 @@ std::string stopRows(const StopOptions& options, Report& report) {
   table.row(joined({"stop, ms", ""}, statisticsTitles()));
   table.line();
   measure("local", suture::Lane::Auto, options, report, table);
-  for (const suture::Lane lane : kLanes) measure(toString(lane), lane, options, report, table);
+  for (const suture::Lane& lane : kLanes) measure(toString(lane), lane, options, report, table);
   const bool fifo = urgent(80) != suture::rt::Scheduling{};
   return table.toString() + (fifo ? "drives, coordinator and connections: SCHED_FIFO\n"
                                   : "no real-time priorities: this user may have none\n");

@@ -37,7 +37,7 @@ void serve(const Arguments& given, Party& party, const Connect& connectParty) {
   manager.scheduleService(urgent(70));
   party.addTo(manager);
   manager.start();
-  connectParty(manager, suture::laneNamed(given.lane));
+  connectParty(manager, {given.lane});
   awaitEndOfInput();
 }
 

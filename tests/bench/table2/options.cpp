@@ -47,7 +47,7 @@ nlohmann::json Table2Options::toJson() const {
 }
 
 Between Table2Options::between() const {
-  return {.lane = suture::laneNamed(lane),
+  return {.lane = {lane},
           .transport = tcp || namespaces ? Transport::Tcp : Transport::Unix,
           .namespaces = namespaces};
 }

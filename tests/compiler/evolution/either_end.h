@@ -48,7 +48,7 @@ int eitherEnd(int argc, char** argv, const Serve& serve, const Ask& ask) {
       serve(argv[2]);
     } else {
       Asking asking{argv[2]};
-      asking.options.lane = suture::laneNamed(argv[3]);
+      asking.options.lane = {argv[3]};
       ask(asking);
     }
     return 0;

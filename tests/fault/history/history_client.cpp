@@ -56,8 +56,7 @@ int main(int, char** argv) {
     manager.start();
     suture::say("begun");
     const auto silence = std::chrono::milliseconds(std::atoi(argv[7]));
-    connect(process, manager, std::string(argv[5]) + ":PSM/Arm", suture::laneNamed(argv[8]),
-            silence);
+    connect(process, manager, std::string(argv[5]) + ":PSM/Arm", {argv[8]}, silence);
     while (!process.ended()) {
       client.waitForEvents(suture::now() + 5ms);
       client.processEvents();

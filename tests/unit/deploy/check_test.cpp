@@ -161,6 +161,26 @@ TEST_F(CheckDeployment, ALaneThatIsRequiredHasToBePossible) {
                    "carry it: ");
 }
 
+TEST_F(CheckDeployment, AContractWithoutBoundsHasNoFrames) {
+  const Texts problems =
+      check(R"({"name": "C", "class": "Archivist"})", kArm,
+            kConnection + std::string(R"(, "lane": "frame", "lane_required": true})"))
+          .problems;
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_PRED2(contains, problems[0], "lane 'frame' is required and cannot carry it: command ");
+}
+
+TEST_F(CheckDeployment, AnUnknownLaneIsAMistakeOfItsClientsProcess) {
+  const std::string connection = kConnection + std::string(R"(, "lane": "smh"})");
+  const Texts told{
+      line(5) +
+      "connecting near:C/Arm -> far:PSM/Arm: this process has no lane 'smh'; it has "
+      "'shm', 'frame' and 'rpc'. Ask for one of these, or add it with addLane() first"};
+  EXPECT_EQ(check(kClient, kArm, connection).problems, told);
+  EXPECT_EQ(check(kClient, kArm, connection, "", "near").problems, told);
+  EXPECT_EQ(check(kClient, kArm, connection, "", "far").problems, Texts{});
+}
+
 TEST_F(CheckDeployment, ADelayNeedsAContractWithBounds) {
   const Texts problems = check(R"({"name": "C", "class": "Archivist"})", kArm,
                                kConnection + std::string(R"(, "delay": "1ms"})"))

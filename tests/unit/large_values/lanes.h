@@ -12,10 +12,10 @@
 namespace large_values {
 
 /// This is `frame` as between builds that differ.
-inline constexpr suture::Lane kEncoded{"frame-encoded"};
+inline const suture::Lane kEncoded{"frame-encoded"};
 
 inline void addEncodedLane(suture::Manager& manager) {
-  manager.addLane(std::make_unique<suture::frame::FrameLane>(kEncoded.name.data(),
+  manager.addLane(std::make_unique<suture::frame::FrameLane>(kEncoded.name.c_str(),
                                                              suture::frame::Form::Encoded));
 }
 

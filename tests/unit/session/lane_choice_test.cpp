@@ -88,7 +88,20 @@ TEST_F(LaneChoice, ARequiredLaneHasAName) {
 
 TEST_F(LaneChoice, AnUnknownLaneIsAnError) {
   begin(kTcp);
-  EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}), "this process has no lane 'hope'"));
+  EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}),
+                       "connecting console:Teleop/Slave -> robot:PSM/Arm: this process has no lane "
+                       "'hope'; it has 'shm', 'frame' and 'rpc'."));
+  console->addLane(std::make_unique<HopefulLane>());
+  EXPECT_TRUE(contains(refusalOf({.lane = {"hop"}}), "it has 'shm', 'frame', 'rpc' and 'hope'."));
+}
+
+// A wrong name is none that a wait could mend.
+TEST_F(LaneChoice, AnUnknownLaneIsToldBeforeItsProviderIsThere) {
+  begin(kTcp);
+  const auto refused = refusal([&] {
+    console->connect("Teleop/Slave", "nobody:PSM/Arm", {.lane = {"hope"}, .patience = 1ms});
+  });
+  EXPECT_TRUE(contains(refused, "this process has no lane 'hope'")) << refused;
 }
 
 TEST_F(LaneChoice, ALaneThatOnlyOneProcessHasIsDeclined) {
@@ -159,6 +172,14 @@ TEST_F(LaneChoice, ALaneThatWasAddedIsNotChosenUnasked) {
   console->addLane(std::make_unique<HopefulLane>());
   EXPECT_EQ(refusalOf({}), "");
   EXPECT_EQ(channel()->lane, "frame");
+}
+
+// A client that asked for it would get another.
+TEST_F(LaneChoice, NoLaneIsCalledAuto) {
+  begin(kTcp);
+  EXPECT_TRUE(
+      contains(refusal([&] { console->addLane(std::make_unique<frame::FrameLane>("auto")); }),
+               "there is one of that name"));
 }
 
 TEST_F(LaneChoice, ALaneIsAddedOnce) {

@@ -1,6 +1,7 @@
 #include <suture/base/nearest.h>
 #include <suture/deploy/document/deployment.h>
 #include <suture/deploy/document/schema_check.h>
+#include <suture/lane/lanes.h>
 #include <suture/net/address.h>
 
 #include <algorithm>
@@ -174,12 +175,12 @@ void Deployment::readConnections() {
 }
 
 ConnectOptions Deployment::readOptions(const json& connection, const std::string& pointer) {
-  const Lane lane = laneNamed(connection.value("lane", "auto"));
+  const Lane lane{connection.value("lane", Lane::Auto.name)};
   const bool required = connection.value("lane_required", false);
   if (required && lane == Lane::Auto) {
     report(pointer + "/lane_required",
-           "it requires a lane and names none; name one, for example \"lane\": \"shm\", or remove "
-           "lane_required");
+           "it requires a lane and names none; name one, for example \"lane\": \"" +
+               laneNames(makeLanes()).front() + "\", or remove lane_required");
   }
   return {.lane = lane,
           .laneRequired = required,

@@ -193,6 +193,10 @@ class FrameServer final : public LaneServer {
 
 }  // namespace
 
+std::string FrameLane::whyNever(const InterfaceInfo& contract, bool /*byUnixSocket*/) const {
+  return whyUnbounded(contract);
+}
+
 kj::Own<LaneClient> FrameLane::makeClient(ClientSession& session) {
   return kj::heap<FrameClient>(*this, session);
 }

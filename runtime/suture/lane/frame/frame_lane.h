@@ -5,6 +5,8 @@
 #include <suture/lane/frame/lane_thread.h>
 #include <suture/lane/lane_kind.h>
 
+#include <string>
+
 namespace suture::frame {
 
 /// Has the thread that carries the frames of this process.
@@ -16,6 +18,7 @@ class FrameLane final : public LaneKind {
       : name_(name), form_(form) {}
 
   const char* name() const override { return name_; }
+  std::string whyNever(const InterfaceInfo& contract, bool byUnixSocket) const override;
   Form form() const { return form_; }
   LaneThread& thread() { return thread_; }
   kj::Own<LaneClient> makeClient(ClientSession& session) override;

@@ -12,6 +12,11 @@
 namespace suture::shm {
 namespace {
 
+std::string whyNeverShared(const InterfaceInfo& contract, bool byUnixSocket) {
+  if (std::string why = whyUnbounded(contract); !why.empty()) return why;
+  return byUnixSocket ? "" : "the two processes are not reached by a Unix socket";
+}
+
 class SharedAttempt final : public LaneAttempt {
  public:
   explicit SharedAttempt(const OutgoingConnection& connection)
@@ -45,7 +50,7 @@ class SharedClient final : public LaneClient {
   std::string whyNot(const OutgoingConnection& connection) const override {
     const std::string why = whyUnbounded(connection.contract);
     if (why.empty() && !session_.hasOneClock()) return "the two processes have different clocks";
-    return whyNever(connection.contract, session_.carriesDescriptors());
+    return whyNeverShared(connection.contract, session_.carriesDescriptors());
   }
 
   kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection& connection) override {
@@ -92,9 +97,8 @@ class SharedServer final : public LaneServer {
 
 }  // namespace
 
-std::string whyNever(const InterfaceInfo& contract, bool byUnixSocket) {
-  if (std::string why = whyUnbounded(contract); !why.empty()) return why;
-  return byUnixSocket ? "" : "the two processes are not reached by a Unix socket";
+std::string SharedLane::whyNever(const InterfaceInfo& contract, bool byUnixSocket) const {
+  return whyNeverShared(contract, byUnixSocket);
 }
 
 kj::Own<LaneClient> SharedLane::makeClient(ClientSession& session) {

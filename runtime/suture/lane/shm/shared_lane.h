@@ -10,12 +10,9 @@ namespace suture::shm {
 class SharedLane final : public LaneKind {
  public:
   const char* name() const override { return "shm"; }
+  std::string whyNever(const InterfaceInfo& contract, bool byUnixSocket) const override;
   kj::Own<LaneClient> makeClient(ClientSession& session) override;
   kj::Own<LaneServer> makeServer(ServerSession& session) override;
 };
-
-/// Returns why no two processes can share the memory of such a connection, whatever they are; "" if
-/// some can. `byUnixSocket` says how they reach each other.
-std::string whyNever(const InterfaceInfo& contract, bool byUnixSocket);
 
 }  // namespace suture::shm

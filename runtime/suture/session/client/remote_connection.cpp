@@ -1,6 +1,6 @@
 #include <suture/base/plain.h>
 #include <suture/lane/delay/delay_thread.h>
-#include <suture/lane/lane_limits.h>
+#include <suture/lane/lane_refusals.h>
 #include <suture/loop/deadline.h>
 #include <suture/loop/failure.h>
 #include <suture/session/client/notices_receiver.h>
@@ -60,7 +60,8 @@ RemoteConnection::RemoteConnection(rpc::ControlThread& control, Sessions& sessio
       watch_(std::move(watch)),
       ledger_(std::move(ledger)),
       longestSilence_(watch_ == nullptr ? ConnectionContract::kDefaultSilence
-                                        : watch_->contract.longestSilence()) {}
+                                        : watch_->contract.longestSilence()),
+      firstLane_(firstLane()) {}
 
 RemoteConnection::~RemoteConnection() noexcept(false) {
   letGo();
@@ -109,7 +110,7 @@ kj::Promise<void> RemoteConnection::introduce() {
                    .then([this] { return requireClocksThatCanTell(); })
                    .then([this] {
                      laneReason_.clear();
-                     return ask(firstLane());
+                     return ask(firstLane_);
                    });
   return lost.promise.exclusiveJoin(kj::mv(asked)).attach(kj::mv(watch));
 }
@@ -149,9 +150,7 @@ std::size_t RemoteConnection::firstLane() const {
   if (options_.lane == Lane::Auto) return 0;
   const auto asked = findLane(lanes_, options_.lane.name);
   if (asked != lanes_.end()) return static_cast<std::size_t>(asked - lanes_.begin());
-  throw SetupError("connecting " + name(),
-                   "this process has no lane '" + std::string(options_.lane.name) + "'",
-                   "Ask for another, or add it with addLane() first");
+  throw laneUnknown(name(), options_.lane, laneNames(lanes_));
 }
 
 kj::Promise<void> RemoteConnection::ask(std::size_t lane) {

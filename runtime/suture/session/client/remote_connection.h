@@ -91,6 +91,7 @@ class RemoteConnection {
   const std::shared_ptr<ConnectionWatch> watch_;  // of all its channels
   const std::shared_ptr<Ledger> ledger_;
   const Duration longestSilence_;
+  const std::size_t firstLane_;
   Duration limit_{0};       // for each answer, in this attempt
   std::string laneReason_;  // why it is not a faster lane
   std::string whyNotBack_;  // as it was told since the last loss

@@ -84,7 +84,7 @@ void addImageProcess(CLI::App& program) {
   process->group("");  // hidden
   process->add_option("--manager", options->manager)->required();
   process->add_option("--lane", options->lane)->required();
-  process->callback([options] { serve(options->manager, suture::laneNamed(options->lane)); });
+  process->callback([options] { serve(options->manager, {options->lane}); });
 }
 
 std::vector<std::string> imageProcessArguments(const std::string& managerAddress,

@@ -70,7 +70,7 @@ void addSubscriberProcess(CLI::App& program) {
   process->add_option("--interfaces", options->setup.interfaces)->required();
   process->add_option("--samples", options->setup.samples)->required();
   process->callback([options] {
-    options->setup.lane = suture::laneNamed(options->lane);
+    options->setup.lane = {options->lane};
     subscribe(options->setup);
   });
 }
