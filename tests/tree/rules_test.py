@@ -43,8 +43,32 @@ class Planted(unittest.TestCase):
         self.expect(rules.check_lanes, "names a lane, suture/lane/frame/")
 
     def test_a_choice_of_a_lane_above_the_lanes(self):
-        self.write("runtime/suture/manager/manager.cpp", "return lane == Lane::Rpc;\n")
+        self.write("runtime/suture/names/manager.cpp", "return lane == Lane::Rpc;\n")
         self.expect(rules.check_lanes, "names a lane, Lane::Rpc")
+
+    def test_a_tool_that_knows_a_lane(self):
+        self.write("runtime/cli/ps.cpp", 'if (lane == "shm") return 1;\n')
+        self.expect(rules.check_lanes, 'runtime/cli/ps.cpp: names a lane, "shm"')
+
+    def test_a_schema_that_lists_the_lanes(self):
+        self.write("schemas/deployment.schema.json", '{"enum": ["auto", "rpc"]}\n')
+        self.expect(rules.check_lanes, 'deployment.schema.json: names a lane, "rpc"')
+
+    def test_a_lane_in_a_text(self):
+        self.write("runtime/suture/deploy/a.cpp", r'say("write \"lane\": \"frame\"");')
+        self.expect(rules.check_lanes, r'names a lane, \"frame\"')
+
+    def test_a_filter_of_lanes_above_them(self):
+        self.write("runtime/suture/deploy/a.cpp", "#include <suture/lane/fault/fault_plan.h>\n")
+        self.expect(rules.check_lanes, "names a lane, suture/lane/fault/")
+
+    def test_a_file_that_may_name_one_lane_names_another(self):
+        self.write("runtime/suture/manager/manager.cpp", '#include <suture/lane/delay/delay_thread.h>\nconst char* a = "rpc";\n')
+        self.expect(rules.check_lanes, 'names a lane, "rpc"')
+
+    def test_an_excuse_that_nothing_needs(self):
+        self.write("runtime/suture/deploy/check.cpp", "\n")
+        self.expect(rules.check_lanes, "names suture/lane/delay/ no more")
 
     def test_the_list_of_lanes_may_name_them(self):
         self.write("runtime/suture/lane/lanes.cpp", '#include <suture/lane/frame/frame_lane.h>\nconst char* all[] = {"shm"};\n')

@@ -59,7 +59,7 @@ Json toJson(const ComponentRecord& component, const Connections& connections) {
           {"required", std::move(required)}};
 }
 
-/// Returns the cells "-> provider:Tally/Counter", "shm" and "connected for 1.5 s".
+/// Returns the cells "-> provider:Tally/Counter", the name of the lane and "connected for 1.5 s".
 std::vector<std::string> connectionCells(const ConnectionRecord* connection) {
   if (connection == nullptr) return {"not connected"};
   std::array<char, 64> seconds{};
