@@ -64,6 +64,10 @@ class VirtualTime {
 
   /// Notes what the calling thread does to `what`; `number` says which one, or which status.
   virtual void note(Kind kind, const char* interface, const char* what, std::uint64_t number) = 0;
+  /// Notes that the calling thread will wake who sleeps at `place`, at the end of its cycle.
+  virtual void owe(Place place) = 0;
+  /// Notes that it has woken all whom it owed that.
+  virtual void settle() = 0;
   /// Notes that the calling thread, `name`, found work when it woke at a deadline that exists only
   /// in case a ring is lost.
   virtual void missedRing(const std::string& name) = 0;

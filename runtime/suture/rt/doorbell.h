@@ -41,6 +41,11 @@ class Doorbell {
   /// Any thread. Makes at most one system call, and none while the owner is awake.
   void ring(RungFor what = RungFor::Work);
 
+  /// Any thread, before it rings at the end of its cycle: a stepped clock has to know that it will.
+  void tellDue() const {
+    if (VirtualTime* const time = virtualTime(); time != nullptr) time->owe(sleeper().place);
+  }
+
   /// Limits the sleep of the owner while another process may ring, because such a ring can be lost.
   static constexpr Duration kLookAgain = std::chrono::seconds(1);
 

@@ -24,17 +24,20 @@ void DueBells::add(Doorbell& bell, RungFor what, SharedFlag* untaken) {
     bell.ring(what);
     return;
   }
+  bell.tellDue();
   slots_[slot] = static_cast<std::uint16_t>(count_);
   due_[count_++] = {&bell, static_cast<std::uint32_t>(slot), what, untaken};
 }
 
 void DueBells::ringAll() {
+  if (count_ == 0) return;
   for (std::size_t i = 0; i < count_; ++i) {
     const Due& due = due_[i];
     const bool wanted = due.untaken == nullptr || due.untaken->take(std::memory_order_acq_rel);
     if (wanted) due.bell->ring(due.what);
   }
   count_ = 0;
+  if (VirtualTime* const time = virtualTime(); time != nullptr) time->settle();
 }
 
 }  // namespace suture::rt

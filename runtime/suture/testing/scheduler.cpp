@@ -13,13 +13,15 @@ namespace {
 // Is far from zero, which means "unset", and the same in each run.
 constexpr Time kBegin{std::chrono::seconds(1000)};
 
-// No thread of Suture works for this long without sleeping.
-constexpr auto kPatience = std::chrono::seconds(10);
-
 /// Is the calling thread, if its scheduler knows it.
 thread_local ScheduledThread* current = nullptr;
 /// Is the process that the calling thread works for, and all that it starts.
 thread_local std::size_t currentProcess = 0;
+
+/// Only a thread that stood still with its process has a deadline before that of another.
+std::tuple<std::uint64_t, Time, std::size_t> orderOf(const ScheduledThread& ready) {
+  return {ready.rung, ready.rung == 0 ? ready.deadline : Time{}, ready.number};
+}
 
 }  // namespace
 
@@ -119,13 +121,24 @@ void Scheduler::note(Kind kind, const char* interface, const char* what, std::ui
                     .number = number});
 }
 
-// A thread that spends time in its cycle misses nothing, because it rings at the end of the cycle.
+void Scheduler::owe(Place place) {
+  const Lock lock(mutex_);
+  if (current != nullptr) current->owes.push_back(place);
+}
+
+void Scheduler::settle() {
+  const Lock lock(mutex_);
+  if (current != nullptr) current->owes.clear();
+}
+
+// What a thread brings in a cycle that takes long may be found before it rings, at the cycle's end.
 void Scheduler::missedRing(const std::string& name) {
   if (options_.threads == Threads::Together) return;
   {
     const Lock lock(mutex_);
     for (const auto& [number, thread] : threads_) {
-      if (thread->spends && !thread->isTest) return;
+      const auto& owes = thread->owes;
+      if (std::find(owes.begin(), owes.end(), current->home) != owes.end()) return;
     }
   }
   report(
@@ -136,10 +149,8 @@ void Scheduler::missedRing(const std::string& name) {
 void Scheduler::spend(Duration duration) {
   Lock lock(mutex_);
   Thread& self = enter();
-  self.spends = true;
   self.deadline = now() + duration;
   sleepAs(self, lock);
-  self.spends = false;
   leave(self);
 }
 
@@ -199,7 +210,7 @@ bool Scheduler::sleepUnlessWoken(Thread& thread, const Sleeper& sleeper, Time de
   if (sleeper.word.load(std::memory_order_seq_cst) != sleeper.asleep || deadline <= now()) {
     return false;
   }
-  thread.place = sleeper.place;
+  thread.place = thread.home = sleeper.place;
   thread.deadline = deadline;
   sleepAs(thread, lock);
   thread.place = 0;
@@ -217,7 +228,7 @@ void Scheduler::await(Thread& thread, Lock& lock) {
   const auto runs = [&thread] { return thread.state == Thread::State::Runs; };
   for (;;) {
     const std::uint64_t turn = turns_;
-    if (thread.wakes.wait_for(lock, kPatience, runs)) return;
+    if (thread.wakes.wait_for(lock, options_.patience, runs)) return;
     if (turn != turns_ || namedAtTurn_ == turns_ || holds_ > 0) continue;
     namedAtTurn_ = turns_;
     const std::string all = describe();
@@ -226,7 +237,9 @@ void Scheduler::await(Thread& thread, Lock& lock) {
     if (stuck) {
       report("nothing can happen any more:" + all);
     } else {
-      std::fprintf(stderr, "suture: for 10 s of real time no thread has slept:%s\n", all.c_str());
+      const std::chrono::duration<double> waited = options_.patience;
+      std::fprintf(stderr, "suture: for %g s of real time no thread has slept:%s\n", waited.count(),
+                   all.c_str());
     }
     lock.lock();
   }
@@ -270,7 +283,7 @@ Scheduler::Thread* Scheduler::nextReady() {
   if (ready.empty()) return nullptr;
   if (options_.seed != 0) return ready[chance_() % ready.size()];
   return *std::min_element(ready.begin(), ready.end(), [](const Thread* one, const Thread* other) {
-    return std::tuple(one->rung, one->number) < std::tuple(other->rung, other->number);
+    return orderOf(*one) < orderOf(*other);
   });
 }
 

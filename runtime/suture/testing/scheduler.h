@@ -28,8 +28,9 @@ struct ScheduledThread {
   State state = State::Ready;
   bool known = true;             // false: one that the test has made, which runs beside the others
   bool isTest = false;           // runs at its deadline after all others
-  bool spends = false;           // only its deadline wakes it
   VirtualTime::Place place = 0;  // while it sleeps, unless it spends
+  VirtualTime::Place home = 0;   // where it slept last
+  std::vector<VirtualTime::Place> owes;     // whom it will wake at the end of its cycle
   VirtualTime::Sockets* sockets = nullptr;  // while it sleeps at any sockets
   Time deadline{};
   std::uint64_t rung = 0;      // which ring has made it ready; 0: its deadline
@@ -56,6 +57,8 @@ class Scheduler final : public VirtualTime {
   void end() override;
   void retract(std::size_t thread) override;
   void note(Kind kind, const char* interface, const char* what, std::uint64_t number) override;
+  void owe(Place place) override;
+  void settle() override;
   void missedRing(const std::string& name) override;
 
   // --- the rest is for TestClock ---

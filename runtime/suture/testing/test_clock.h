@@ -4,6 +4,7 @@
 #include <suture/base/time.h>
 #include <suture/testing/trace.h>
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -33,6 +34,9 @@ struct TestClockOptions {
   std::uint64_t seed = 0;
   /// Keeps what happens for TestClock::trace(). An hour of a system takes gigabytes.
   bool traced = false;
+  /// How much real time the process may take without that any of its threads sleeps or is woken,
+  /// before they are named on standard error.
+  std::chrono::nanoseconds patience = std::chrono::seconds(10);
   /// Is called when something happens that must not: a thread found work at a deadline that exists
   /// only in case a ring is lost, or nothing can happen any more. May be called in any thread.
   /// Without it, the program is aborted.
@@ -50,8 +54,8 @@ struct TestClockOptions {
 /// The kernel's own timers, TCP's among them, do not follow it either.
 ///
 /// A thread that the test has made itself runs whenever it can, and sleeps on this clock where it
-/// waits for Suture; see Hold. A thread that does not sleep for ten seconds of real time is named
-/// on standard error.
+/// waits for Suture; see Hold. A thread that does not sleep for ten seconds of real time
+/// (TestClockOptions::patience) is named on standard error.
 class TestClock {
  public:
   /// Throws SetupError if the process has such a clock.

@@ -11,7 +11,9 @@
 #include <sched.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -134,6 +136,71 @@ void leaveAThread() {
 
 TEST(TestClockDeathTest, NamesThreadsThatAreLeftAtItsEnd) {
   EXPECT_DEATH(leaveAThread(), "'left over' sleeps for");
+}
+
+TEST(TestClock, TellsThatNothingCanHappenAnyMore) {
+  rt::Doorbell bell;
+  std::vector<std::string> problems;
+  TestClock clock({.patience = 10ms, .problem = [&](const std::string& one) {
+                     problems.push_back(one);
+                     bell.ring();
+                   }});
+  bell.wait();
+  EXPECT_THAT(problems, testing::ElementsAre("nothing can happen any more:\n  'test' sleeps until "
+                                             "it is rung"));
+}
+
+/// Has what the process writes to standard error from now on.
+class HeardErrors {
+ public:
+  HeardErrors() : before_(dup(STDERR_FILENO)) {
+    if (pipe(ends_) != 0 || dup2(ends_[1], STDERR_FILENO) < 0) std::abort();
+  }
+  ~HeardErrors() {
+    dup2(before_, STDERR_FILENO);
+    for (const int one : {before_, ends_[0], ends_[1]}) close(one);
+  }
+  /// Waits for the kernel, of which a stepped clock does not know.
+  std::string next() const {
+    char text[1024];
+    return {text,
+            static_cast<std::size_t>(std::max<ssize_t>(read(ends_[0], text, sizeof(text)), 0))};
+  }
+
+ private:
+  const int before_;
+  int ends_[2];
+};
+
+TEST(TestClock, NamesAThreadThatDoesNotSleep) {
+  const HeardErrors errors;
+  TestClock clock({.patience = 10ms});
+  std::string heard;
+  rt::Thread thread;
+  thread.start("busy", [&] { heard = errors.next(); });
+  clock.advance(1ms);
+  thread.join();
+  EXPECT_THAT(heard, testing::HasSubstr("suture: for 0.01 s of real time no thread has slept:"));
+  EXPECT_THAT(heard, testing::HasSubstr("\n  'busy' runs"));
+}
+
+// Else a process that was stopped for long would go on in the order in which its threads began.
+TEST(TestClock, RunsThreadsThatAreLateInTheOrderOfTheirDeadlines) {
+  TestClock clock;
+  std::vector<std::string> order;
+  TestClock::Process process(clock);
+  std::optional<Named> slow, fast;
+  process.run([&] {
+    slow.emplace(8ms, "slow", order).start();
+    fast.emplace(5ms, "fast", order).start();
+  });
+  clock.advance(1ms);
+  process.freeze();
+  clock.advance(9ms);
+  EXPECT_TRUE(order.empty());
+  process.thaw();
+  clock.advance(1ms);
+  EXPECT_THAT(order, testing::ElementsAre("fast", "slow"));
 }
 
 /// A thread that sleeps at a pipe, and is woken by each byte.

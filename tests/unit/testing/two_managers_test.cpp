@@ -173,6 +173,51 @@ TEST(SteppedClock, TellsOfWorkWithoutARing) {
   EXPECT_THAT(problems, testing::ElementsAre(testing::HasSubstr("which nobody had rung")));
 }
 
+/// Says hold in its first cycle, which takes longer than any task sleeps.
+struct SlowCaller final : PeriodicTask {
+  SlowCaller() : PeriodicTask({.period = 10s}) {}
+  ~SlowCaller() override { stop(); }
+  void run() override {
+    if (says) {
+      EXPECT_TRUE(arm.hold());
+    }
+    TestClock::spend(5s);
+  }
+  bool says = true;
+  Required<reference::ArmLike> arm{*this, "Arm"};
+};
+
+TEST(SteppedClock, TellsOfWorkWithoutARingWhileAnotherThreadWorks) {
+  std::vector<std::string> problems;
+  TestClock clock({.problem = [&](const std::string& one) { problems.push_back(one); }});
+  SleepingArm arm;
+  SlowCaller busy;
+  Caller caller;
+  busy.says = false;
+  connectLocally(caller.arm, arm.port, "test");
+  arm.start();
+  busy.start();
+  clock.advance(10s + 1ms);
+  EXPECT_TRUE(caller.arm.hold());
+  arm.doorbell().takeRing();  // as a defect would lose it
+  clock.advance(2s);
+  EXPECT_EQ(arm.holds, 1);
+  EXPECT_THAT(problems, testing::ElementsAre(testing::HasSubstr("which nobody had rung")));
+}
+
+TEST(SteppedClock, BearsWorkThatIsRungForAtTheEndOfACycle) {
+  std::vector<std::string> problems;
+  TestClock clock({.problem = [&](const std::string& one) { problems.push_back(one); }});
+  SleepingArm arm;
+  SlowCaller caller;
+  connectLocally(caller.arm, arm.port, "test");
+  arm.start();
+  caller.start();
+  clock.advance(12s);
+  EXPECT_EQ(arm.holds, 1);
+  EXPECT_TRUE(problems.empty()) << problems.front();
+}
+
 TEST_P(TwoManagers, DoTheSameInEachRunOfOneSeed) {
   const std::string first = toString(traceOf(GetParam(), 7));
   EXPECT_EQ(first, toString(traceOf(GetParam(), 7)));
