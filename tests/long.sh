@@ -45,8 +45,9 @@ ctest --preset dev -j "$(nproc)" -L long
 SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
 SUTURE_SESSIONS=1000000 "$build/bin/fault_test" --gtest_filter=Sessions.*
 SUTURE_RECONNECTS=1000 "$build/bin/fault_test" --gtest_filter='*Restarts.ManyRestartsOfAPeer*'
-SUTURE_FAULT_SECONDS=20 "$build/bin/fault_test" --gtest_filter='*Messages*' --gtest_brief=1
-for _ in {1..20}; do SUTURE_FAULT_ROUNDS=3 "$build/bin/fault_test" --gtest_filter='*Kill.*:*Stop.*:*Proxy.*:*Messages*:Lanes/Stopped*' --gtest_brief=1; done
+SUTURE_FAULT_SECONDS=20 "$build/bin/stepped_fault_test" --gtest_filter='*Messages*' --gtest_brief=1
+for _ in {1..20}; do SUTURE_FAULT_ROUNDS=3 "$build/bin/fault_test" --gtest_filter='*Kill.*:*Stop.*:*Proxy.*:Lanes/Stopped*' --gtest_brief=1; done
+for _ in {1..20}; do "$build/bin/stepped_fault_test" --gtest_filter='*Messages*' --gtest_brief=1; done
 for _ in {1..10}; do python3 tests/integration/random_contract/random_contract.py --suture "$build"; done
 python3 tests/integration/random_contract/random_headers_test.py --suture "$build" --headers 1000
 "$build/bin/suture-experiment" --csv "$build/experiment.csv" --png "$build/experiment.png"
