@@ -138,13 +138,13 @@ TEST_P(Liveness, AHungTaskIsLostAlone) {
 TEST_P(Liveness, ASleepingTaskDoesNotCountAsHung) {
   first_.asks = false;
   second_.asks = false;
-  connect("First/Arm", "there:PSM1/Arm", 100ms);
-  connect("Second/Arm", "there:PSM2/Arm", 1s);
+  connect("First/Arm", "there:PSM1/Arm", 1s);
+  connect("Second/Arm", "there:PSM2/Arm", 10s);
   ASSERT_TRUE(eventually([&] { return first_.error == Errc{} && second_.error == Errc{}; }));
   hang(second_, 0);
   ASSERT_TRUE(eventually([&] { return whyLost("Second/Arm", "PSM2/Arm").starts_with("hung: "); }));
-  // A busy machine may keep the whole process silent for so short a time, so the connection may be
-  // lost, but not as hung.
+  // A busy machine may keep the whole process silent for so long, so the connection may be lost,
+  // but not as hung.
   EXPECT_FALSE(whyLost("First/Arm", "PSM1/Arm").starts_with("hung: "));
   EXPECT_TRUE(eventually([&] { return first_.error == Errc{}; }));
   stopHanging();

@@ -10,13 +10,10 @@
 #include <suture/names/manager_session.h>
 #include <suture/net/dialer.h>
 
-#include <thread>
-
 #include "support/eventually.h"
 #include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
-#include "support/test_thread.h"
 
 namespace suture {
 namespace {
@@ -36,6 +33,7 @@ class Peer {
   ~Peer() {
     control_.run(kPatience, [this] {
       waits_.clear();
+      awaited_ = nullptr;
       link_.reset();
     });
   }
@@ -60,7 +58,6 @@ class Peer {
   ProcessRecord resolve(const std::string& name, Duration wait = 0s) {
     return control_.run(wait + 10s, [this, name, wait] { return link_->resolve(name, wait); });
   }
-  /// Returns why a name is not there, while `waiting` others are waited for.
   /// Waits so often for a process that nobody starts, until stopWaiting().
   void wait(std::size_t times) {
     control_.run(kPatience, [this, times] {
@@ -71,6 +68,28 @@ class Peer {
   void stopWaiting() {
     control_.run(kPatience, [this] { waits_.clear(); });
   }
+  /// Asks for a name, and returns when the manager has heard that: it takes what a link brings in
+  /// its order. await() then waits for the answer.
+  void beginToResolve(const std::string& name) {
+    control_.run(kPatience, [this, name] {
+      awaited_ = link_->resolve(name, kPatience)
+                     .then([this](const ProcessRecord& found) { found_ = found.name; })
+                     .eagerlyEvaluate(nullptr);
+      return link_->list().ignoreResult();
+    });
+  }
+  /// Returns when it has tried once; await() then waits for a manager.
+  void beginToOpen() {
+    control_.run(kPatience, [this] {
+      awaited_ = link_->open(kPatience).eagerlyEvaluate(nullptr);
+      return kj::evalLast([] {});
+    });
+  }
+  void await() {
+    control_.run(kPatience, [this] { return kj::mv(awaited_); });
+  }
+  /// Returns the name of the process that it has found so.
+  const std::string& found() const { return found_; }
   std::vector<ProcessRecord> list() {
     return control_.run(kPatience, [this] { return link_->list(); });
   }
@@ -93,6 +112,8 @@ class Peer {
   rpc::ControlThread control_;
   std::unique_ptr<ManagerLink> link_;
   kj::Vector<kj::Promise<ProcessRecord>> waits_;
+  kj::Promise<void> awaited_ = nullptr;
+  std::string found_;
   const std::string name_;
 };
 
@@ -178,13 +199,10 @@ TEST_P(GlobalManagerTest, AnUnknownProcessIsRefusedWithWhatThereIs) {
 
 TEST_P(GlobalManagerTest, ResolvingWaitsForAProcessToAppear) {
   auto left = enrolled("left");
-  std::unique_ptr<Peer> right;
-  TestThread late([&] {
-    pass(20ms);
-    right = enrolled("right");
-  });
-  EXPECT_EQ(left->resolve("right", kPatience).name, "right");
-  late.join();
+  left->beginToResolve("right");
+  const auto right = enrolled("right");
+  left->await();
+  EXPECT_EQ(left->found(), "right");
 }
 
 TEST_P(GlobalManagerTest, ResolvingWaitsNoLongerThanAsked) {
@@ -218,13 +236,9 @@ TEST_P(GlobalManagerTest, OneProcessThatWaitsTooOftenLeavesRoomToOthers) {
   EXPECT_TRUE(contains(answer, "256 of this link wait for names, and no more of one link may"))
       << answer;
   auto peer = enrolled("left");
-  std::unique_ptr<Peer> late;
-  TestThread other([&] {
-    pass(50ms);
-    late = enrolled("late");
-  });
-  EXPECT_EQ(refusal([&] { peer->resolve("late", kPatience); }), "");
-  other.join();
+  peer->beginToResolve("late");
+  const auto late = enrolled("late");
+  peer->await();
 }
 
 // It would be kept as long as the answer is awaited, and compared with all names that there are.
@@ -313,14 +327,10 @@ TEST(ManagerLink, WaitsForAManagerToStart) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("late.sock");
   rpc::ControlThread control;
-  std::unique_ptr<GlobalManager> manager;
-  TestThread late([&] {
-    pass(20ms);
-    manager = std::make_unique<GlobalManager>(control, address);
-  });
   Peer left("left", address);
-  left.open(kPatience);
-  late.join();
+  left.beginToOpen();
+  const GlobalManager manager(control, address);
+  left.await();
   left.enrol();
   EXPECT_TRUE(left.knows("left"));
 }
