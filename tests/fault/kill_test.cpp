@@ -1,11 +1,12 @@
-// Each role of a system is killed in each phase of its life, on each lane; the others' histories
-// stay sound.
+// Each role of a system, or provider and client at once, is killed in each phase of its life, on
+// each lane; the others' histories stay sound.
 
 #include <gtest/gtest.h>
 
 #include <thread>
 #include <tuple>
 
+#include "fault/drain.h"
 #include "fault/system.h"
 
 namespace suture {
@@ -14,12 +15,20 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = HistoryEntry::Kind;
 
-enum class Role { Manager, Provider, Client };
-enum class Phase { BeforeConnect, DuringConnect, Idle, MidCall, MidEvent, DuringShutdown };
+enum class Role { Manager, Provider, Client, Both };
+enum class Phase {
+  BeforeConnect,
+  DuringConnect,
+  Idle,
+  MidCall,
+  MidEvent,
+  InADrain,
+  DuringShutdown,
+};
 
-constexpr const char* kRoles[] = {"Manager", "Provider", "Client"};
-constexpr const char* kPhases[] = {"BeforeConnect", "DuringConnect", "Idle",
-                                   "MidCall",       "MidEvent",      "DuringShutdown"};
+constexpr const char* kRoles[] = {"Manager", "Provider", "Client", "Both"};
+constexpr const char* kPhases[] = {"BeforeConnect", "DuringConnect", "Idle",          "MidCall",
+                                   "MidEvent",      "InADrain",      "DuringShutdown"};
 
 class Kill : public testing::TestWithParam<std::tuple<Role, Phase, const char*>> {
  protected:
@@ -27,30 +36,40 @@ class Kill : public testing::TestWithParam<std::tuple<Role, Phase, const char*>>
   Role role() const { return std::get<0>(GetParam()); }
   Phase phase() const { return std::get<1>(GetParam()); }
   const char* lane() const { return std::get<2>(GetParam()); }
+  bool killsProvider() const { return role() == Role::Provider || role() == Role::Both; }
+  bool killsClient() const { return role() == Role::Client || role() == Role::Both; }
   bool busy() const { return phase() != Phase::Idle; }
+  const char* mode() const {
+    return phase() == Phase::InADrain ? "bursts" : busy() ? "busy" : "idle";
+  }
 
   void startProvider() {
     provider_ = system_.provider();
     ASSERT_EQ(provider_->line(), "ready");
   }
-  void startClient() { client_ = system_.client(busy() ? "busy" : "idle", 500, lane()); }
+  void startClient() { client_ = system_.client(mode(), 500, lane()); }
   void kill() {
-    Child& victim = role() == Role::Manager    ? *manager_
-                    : role() == Role::Provider ? *provider_
-                                               : *client_;
+    if (role() == Role::Manager) kill(*manager_);
+    if (killsProvider()) kill(*provider_);
+    if (killsClient()) {
+      kill(*client_);
+      system_.noteKilledClient();
+    }
+    if (phase() == Phase::InADrain && !killsProvider()) provider_->signal(SIGCONT);
+  }
+  void kill(Child& victim) {
     if (phase() == Phase::DuringShutdown) {
       victim.signal(SIGTERM);
       pause(3ms);
     }
     const int how = victim.end(SIGKILL);
     EXPECT_TRUE(how == -SIGKILL || phase() == Phase::DuringShutdown) << how;
-    if (role() == Role::Client) system_.noteKilledClient();
     ++kills_;
   }
   void restart() {
     if (role() == Role::Manager) manager_ = system_.manager();
-    if (role() == Role::Provider) startProvider();
-    if (role() == Role::Client) startClient();
+    if (killsProvider()) startProvider();
+    if (killsClient()) startClient();
   }
   void pause(Duration most) {
     std::this_thread::sleep_for(
@@ -81,6 +100,7 @@ class Kill : public testing::TestWithParam<std::tuple<Role, Phase, const char*>>
     if (phase() == Phase::MidEvent) {
       ASSERT_TRUE(system_.clientNotes(now(), Kind::Heard));
     }
+    if (phase() == Phase::InADrain) stopInADrain(system_, *provider_);
   }
 
   System system_;
@@ -91,9 +111,10 @@ class Kill : public testing::TestWithParam<std::tuple<Role, Phase, const char*>>
 
 INSTANTIATE_TEST_SUITE_P(
     Roles, Kill,
-    testing::Combine(testing::Values(Role::Manager, Role::Provider, Role::Client),
+    testing::Combine(testing::Values(Role::Manager, Role::Provider, Role::Client, Role::Both),
                      testing::Values(Phase::BeforeConnect, Phase::DuringConnect, Phase::Idle,
-                                     Phase::MidCall, Phase::MidEvent, Phase::DuringShutdown),
+                                     Phase::MidCall, Phase::MidEvent, Phase::InADrain,
+                                     Phase::DuringShutdown),
                      testing::Values("shm", "frame", "rpc")),
     [](const auto& test) {
       return std::string(kRoles[static_cast<int>(std::get<0>(test.param))]) +
@@ -102,12 +123,13 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(Kill, LeavesSoundHistoriesAndTheRestGoesOn) {
   startProvider();
-  if (role() == Role::Client || phase() != Phase::BeforeConnect) startClient();
+  if (killsClient() || phase() != Phase::BeforeConnect) startClient();
   if (phase() != Phase::BeforeConnect) awaitPhase();
+  ASSERT_FALSE(HasFatalFailure());
   kill();
   if (client_ == nullptr) startClient();
   restart();
-  if (role() == Role::Client || phase() <= Phase::DuringConnect) awaitConnected();
+  if (killsClient() || phase() <= Phase::DuringConnect) awaitConnected();
   EXPECT_TRUE(system_.works(busy()));
   EXPECT_EQ(client_->end(SIGTERM), 0);
   EXPECT_EQ(provider_->end(SIGTERM), 0);

@@ -3,19 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 #include <thread>
 #include <tuple>
 
-#include "fault/history/history_caller.h"
+#include "fault/drain.h"
 #include "fault/system.h"
 
 namespace suture {
 namespace {
 
 using namespace std::chrono_literals;
-using Kind = HistoryEntry::Kind;
 
 // It is longer than a connection bears. It is a time, since nothing but the clock can tell how long
 // a client has stood still.
@@ -40,6 +38,7 @@ const Row kRows[] = {
     {"BothThenProviderFirst", Stopped::BothProviderFirst, Moment::Any},
     {"BothThenClientFirst", Stopped::BothClientFirst, Moment::Any},
     {"ProviderInADrain", Stopped::Provider, Moment::InADrain},
+    {"ClientInADrain", Stopped::Client, Moment::InADrain},
     {"BothInADrainThenProviderFirst", Stopped::BothProviderFirst, Moment::InADrain},
     {"BothInADrainThenClientFirst", Stopped::BothClientFirst, Moment::InADrain},
 };
@@ -68,24 +67,10 @@ class Stop : public testing::TestWithParam<std::tuple<Row, const char*>> {
     if (row().stopped == Stopped::Provider || both()) provider_->signal(SIGSTOP);
     if (row().stopped == Stopped::Client || both()) client_->signal(SIGSTOP);
   }
-  /// The provider's latest command is the one that tells that it runs, and those behind it wait.
-  bool standsInADrain() const {
-    const auto executed = system_.providersHistory();
-    if (executed.empty() || executed.back().id % HistoryCaller::kBurst != 2) return false;
-    const std::uint64_t last = executed.back().id + HistoryCaller::kBurst - 2;
-    const auto sent = system_.clientsHistory();
-    return std::any_of(sent.begin(), sent.end(), [last](const HistoryEntry& entry) {
-      return entry.kind == Kind::Sent && entry.id == last;
-    });
-  }
-  /// A command may have ended by the time that the test hears that it runs.
-  void stopInADrain() {
-    do {
-      provider_->signal(SIGCONT);
-      ASSERT_EQ(provider_->line(), reference::kTellsThatItRuns);
-      provider_->signal(SIGSTOP);
-    } while (!standsInADrain());
-    if (both()) client_->signal(SIGSTOP);
+  void stopInItsDrain() {
+    stopInADrain(system_, *provider_);
+    if (row().stopped != Stopped::Provider) client_->signal(SIGSTOP);
+    if (row().stopped == Stopped::Client) provider_->signal(SIGCONT);
   }
   /// Waits so long that the connection is lost, if that can be: a client that runs is told so
   /// before its provider goes on.
@@ -119,7 +104,7 @@ TEST_P(Stop, LeavesSoundHistories) {
   int stops = 0;
   for (; stops < faultRounds(); ++stops) {
     ASSERT_TRUE(system_.works(true));
-    row().moment == Moment::InADrain ? stopInADrain() : stopAnyTime();
+    row().moment == Moment::InADrain ? stopInItsDrain() : stopAnyTime();
     ASSERT_FALSE(HasFatalFailure());
     goOn();
   }
