@@ -2,6 +2,7 @@
 #include <suture/lane/frame/frame_end.h>
 #include <suture/lane/frame/framed_connection.h>
 #include <suture/lane/mirrored_channel.h>
+#include <suture/lane/providers_ends.h>
 #include <suture/lane/status_port.h>
 
 #include <utility>
@@ -24,15 +25,10 @@ AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& o
                          rpc::ControlThread& control, ClientCommands commands) {
   const InterfaceInfo& contract = connection.contract;
   const std::shared_ptr<rt::Doorbell> bell = on.thread.doorbell();
-  const Channel::Ends ends{.client = bell,
-                           .provider = connection.provider,
-                           .components = ConnectionEnd::Provider,
-                           .here = &connection.provided,
-                           .watcher = control.sharedDoorbell(),
-                           .peer = connection.peer,
-                           .silence = connection.silence};
-  auto channel = std::make_shared<Channel>(contract, connection.terms, on.lane, ends,
-                                           connection.provided.state(), connection.events);
+  auto channel =
+      std::make_shared<Channel>(contract, connection.terms, on.lane,
+                                providersEnds(connection, bell, control.sharedDoorbell()),
+                                connection.provided.state(), connection.events);
   auto end = kj::refcounted<StatusPort>(control, channel);
   const auto side = std::make_shared<ProviderSide>(channel, makePayloads(contract, on.form),
                                                    on.number, std::move(commands));

@@ -1,3 +1,4 @@
+#include <suture/lane/providers_ends.h>
 #include <suture/lane/rpc/calls_server.h>
 #include <suture/lane/rpc/servant.h>
 #include <suture/loop/failure.h>
@@ -37,12 +38,8 @@ class CallsServer::Bootstrap final : public wire::Calls::Server {
 
 std::shared_ptr<Channel> callsChannel(ControlThread& control,
                                       const IncomingConnection& connection) {
-  const Channel::Ends ends{.client = control.sharedDoorbell(),
-                           .provider = connection.provider,
-                           .components = ConnectionEnd::Provider,
-                           .peer = connection.peer,
-                           .silence = connection.silence};
-  return std::make_shared<Channel>(connection.provided.info(), connection.terms, "rpc", ends,
+  return std::make_shared<Channel>(connection.provided.info(), connection.terms, "rpc",
+                                   providersEnds(connection, control.sharedDoorbell()),
                                    connection.provided.state(), connection.events);
 }
 

@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/lane/providers_ends.h>
 #include <suture/lane/shm/shared_channel.h>
 
 #include <algorithm>
@@ -53,14 +54,8 @@ SharedOffer offerShared(const IncomingConnection& connection, std::shared_ptr<Me
   const auto clientsBell = std::make_shared<rt::Doorbell>(std::move(client), kElsewhere);
   Arena arena(offer.parts.channel, Arena::Content::Zeros);
   const auto asked = arena.make<Asked>();
-  const Channel::Ends ends{.client = clientsBell,
-                           .provider = connection.provider,
-                           .components = ConnectionEnd::Provider,
-                           .here = &provided,
-                           .watcher = std::move(watcher),
-                           .peer = connection.peer,
-                           .silence = connection.silence,
-                           .asked = asked};
+  Channel::Ends ends = providersEnds(connection, clientsBell, std::move(watcher));
+  ends.asked = asked;
   offer.channel = std::make_shared<Channel>(contract, connection.terms, "shm", ends,
                                             provided.state(), connection.events, arena);
   return offer;
