@@ -1,7 +1,6 @@
 #pragma once
 // A process is this to its peers: an address at which they connect to its provided interfaces.
 
-#include <suture/component/channel/counts/ledger.h>
 #include <suture/framing/link_server.h>
 #include <suture/lane/lanes.h>
 #include <suture/loop/control_thread.h>
@@ -9,11 +8,12 @@
 #include <suture/peer.capnp.h>
 #include <suture/session/network.h>
 #include <suture/session/provider/awaited_sockets.h>
+#include <suture/session/provider/latest_connections.h>
+#include <suture/session/provider/ledgers.h>
 #include <suture/session/provider/places.h>
 #include <suture/wiring/directory.h>
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -51,32 +51,7 @@ class PeerHost {
   /// Returns what serves a new link: this process, or the reason why not.
   capnp::Capability::Client offerTo(std::shared_ptr<rpc::Caller> caller);
 
-  /// Describes the latest connection of a required interface of a peer. Names of clients and of
-  /// connections are given here with who has proved to be behind them, since any peer may give
-  /// them.
-  struct Latest {
-    std::string bootId;  // of the peer's machine, whose clock gave the epoch
-    std::int64_t epoch;
-    std::uint64_t incarnation;  // of the peer's process; 0: it does not say
-    std::uint64_t greeting;     // which of all that this process has had began the session
-    rpc::ProviderEnd* end;
-  };
-
-  std::uint64_t nextGreeting() { return ++greetings_; }
-  /// Returns why the connection `name`, which has no end yet, may not take the place of the latest
-  /// one of `client`; "" if it may.
-  std::string whySuperseded(const std::string& client, const std::string& name,
-                            const Latest& asked) const;
-  /// Ends the latest connection, ahead of a later one.
-  void endLatest(const std::string& client);
-  void setLatest(const std::string& client, const Latest& latest) { latest_[client] = latest; }
-  void forget(const rpc::ProviderEnd& end);
-
-  /// Returns the sums of the connection of that name with that start of its client's process; an
-  /// attempt that is never accepted leaves nothing behind.
-  std::shared_ptr<Ledger> ledgerOf(const std::string& name, std::uint64_t client);
-  /// Keeps the sums of a connection that has been accepted.
-  void keepLedger(const std::string& name, std::uint64_t client, std::shared_ptr<Ledger> ledger);
+  using Latest = LatestConnections::Latest;
 
   /// Adds to served(), and drops channels that have been closed.
   void remember(std::shared_ptr<Channel> channel);
@@ -93,15 +68,8 @@ class PeerHost {
   const Policy policy_;
   kj::Own<kj::PromiseFulfiller<void>> published_;
   kj::ForkedPromise<void> whenPublished_;
-  struct Account {
-    std::uint64_t client;  // the incarnation of its process
-    std::shared_ptr<Ledger> ledger;
-  };
-  std::map<std::string, Account> accounts_;  // by connection
-  std::map<std::pair<std::string, std::uint64_t>, std::weak_ptr<Ledger>> attempted_;
-  Ledger::History history_ = Ledger::History::Whole;
-  std::map<std::string, Latest> latest_;  // by required interface, with its process
-  std::uint64_t greetings_ = 0;
+  Ledgers ledgers_;
+  LatestConnections latest_;
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Channel>> served_;
   AwaitedSockets sockets_;

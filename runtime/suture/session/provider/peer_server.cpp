@@ -58,7 +58,7 @@ PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
 
 PeerServer::~PeerServer() noexcept(false) {
   for (Held& held : held_) {
-    host_.forget(*held.end);
+    host_.latest_.forget(*held.end);
     held.end->close();
   }
 }
@@ -78,7 +78,7 @@ kj::Promise<void> PeerServer::hello(HelloContext context) {
   } else {
     bootId_ = stringOf(in.getBootId());
     incarnation_ = in.getIncarnation();
-    greeting_ = host_.nextGreeting();
+    greeting_ = host_.latest_.nextGreeting();
     caller_->known = true;
     results.setAccepted();
   }
@@ -219,7 +219,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
                           .contract = *match.contract,
                           .terms = {.name = name,
                                     .ledger =
-                                        host_.ledgerOf(admission_.proven(name), incarnation_)},
+                                        host_.ledgers_.of(admission_.proven(name), incarnation_)},
                           .events = fromWireNumbers(match.contract->wireEvents, in.getEvents()),
                           .provider = host_.serverOf_(provided),
                           .readOnly = admission_.mayOnlyRead(endpoint),
@@ -247,7 +247,7 @@ PeerHost::Latest PeerServer::latestAt(ConnectContext& context, rpc::ProviderEnd*
 // One required interface has one connection: the latest.
 bool PeerServer::mayTakeOver(const std::string& client, const std::string& name,
                              ConnectContext& context) {
-  const std::string why = host_.whySuperseded(client, name, latestAt(context, nullptr));
+  const std::string why = host_.latest_.whySuperseded(client, name, latestAt(context, nullptr));
   if (why.empty()) return true;
   refuse({Kind::ALREADY_CONNECTED, why}, context.getResults().initRefused());
   return false;
@@ -290,14 +290,14 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   rpc::ProviderEnd& end = *accepted.end;
   if (in.getEpoch() != 0) {
     if (!mayTakeOver(asked.client, asked.connection.terms.name, context)) return end.close();
-    host_.endLatest(asked.client);
+    host_.latest_.end(asked.client);
   }
   const std::shared_ptr<Ledger>& ledger = accepted.channel->terms.ledger;
-  host_.keepLedger(admission_.proven(asked.connection.terms.name), incarnation_, ledger);
+  host_.ledgers_.keep(admission_.proven(asked.connection.terms.name), incarnation_, ledger);
   ledger->begin(accepted.channel, incarnation_);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   keep({kj::addRef(end), accepted.channel, asked.place});
-  if (in.getEpoch() != 0) host_.setLatest(asked.client, latestAt(context, &end));
+  if (in.getEpoch() != 0) host_.latest_.set(asked.client, latestAt(context, &end));
   auto out = context.getResults().getAccepted();
   out.setLacking(kj::arrayPtr(asked.match.lacking.data(), asked.match.lacking.size()));
   out.setRows(static_cast<std::uint32_t>(asked.connection.provided.state()->capacity()));
@@ -314,7 +314,7 @@ void PeerServer::keep(Held held) {
 bool PeerServer::forgetEnded() {
   return std::erase_if(held_, [this](const Held& held) {
            const bool over = held.channel->status == ChannelStatus::Closed;
-           if (over) host_.forget(*held.end);
+           if (over) host_.latest_.forget(*held.end);
            return over;
          }) > 0;
 }
