@@ -20,7 +20,7 @@ struct LaneOverSocket {
   suture::Lane lane;
 };
 
-inline constexpr LaneOverSocket kLanesOverSockets[] = {
+inline const LaneOverSocket kLanesOverSockets[] = {
     {"shm", "shm", Transport::Unix, suture::Lane::Shm},
     {"frame, Unix socket", "frame.unix", Transport::Unix, suture::Lane::Frame},
     {"frame, TCP", "frame.tcp", Transport::Tcp, suture::Lane::Frame},

@@ -23,7 +23,7 @@ struct LaneRow {
   const char* floor;  // the figure that it is a multiple of
 };
 
-constexpr LaneRow kLaneRows[] = {
+const LaneRow kLaneRows[] = {
     {"shm", "shm", Transport::Unix, Lane::Shm, "raw.shm"},
     {"frame, Unix socket", "frame.unix", Transport::Unix, Lane::Frame, "raw.unix"},
     {"frame, different builds", "frame.encoded", Transport::Unix, kEncodedFrames, "raw.unix"},

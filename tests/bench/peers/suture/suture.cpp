@@ -25,7 +25,7 @@ struct Variant {
   Back back = Back::AsEvent;
 };
 
-constexpr Variant kVariants[] = {
+const Variant kVariants[] = {
     {"shm", suture::Lane::Shm, false},
     {"frame-unix", suture::Lane::Frame, false},
     {"frame-tcp", suture::Lane::Frame, true},
