@@ -24,24 +24,18 @@ bool store(const std::int32_t& amount, CounterAddArguments& slot);
 
 /// Numbers the commands of Counter.
 struct CounterCommand {
-  enum : std::uint16_t {
-    add,
-    value,
-  };
+  static constexpr std::uint16_t add = 0;
+  static constexpr std::uint16_t value = 1;
 };
 
 /// Numbers the events of Counter.
 struct CounterEvent {
-  enum : std::uint16_t {
-    ten_more,
-  };
+  static constexpr std::uint16_t ten_more = 0;
 };
 
 /// Numbers the reads of Counter as a row of the state has them.
 struct CounterColumn {
-  enum : std::uint16_t {
-    value,
-  };
+  static constexpr std::uint16_t value = 0;
 };
 
 }  // namespace counting

@@ -17,16 +17,12 @@ namespace tracking {
 
 /// Numbers the commands of Tracker.
 struct TrackerCommand {
-  enum : std::uint16_t {
-    observation,
-  };
+  static constexpr std::uint16_t observation = 0;
 };
 
 /// Numbers the reads of Tracker as a row of the state has them.
 struct TrackerColumn {
-  enum : std::uint16_t {
-    observation,
-  };
+  static constexpr std::uint16_t observation = 0;
 };
 
 }  // namespace tracking

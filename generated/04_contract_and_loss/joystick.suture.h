@@ -16,16 +16,12 @@ namespace following {
 
 /// Numbers the commands of Joystick.
 struct JoystickCommand {
-  enum : std::uint16_t {
-    angle,
-  };
+  static constexpr std::uint16_t angle = 0;
 };
 
 /// Numbers the reads of Joystick as a row of the state has them.
 struct JoystickColumn {
-  enum : std::uint16_t {
-    angle,
-  };
+  static constexpr std::uint16_t angle = 0;
 };
 
 }  // namespace following

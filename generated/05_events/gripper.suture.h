@@ -18,18 +18,14 @@ bool isKnownJaws(std::uint8_t slot);
 
 /// Numbers the commands of Gripper.
 struct GripperCommand {
-  enum : std::uint16_t {
-    grasp,
-    release,
-  };
+  static constexpr std::uint16_t grasp = 0;
+  static constexpr std::uint16_t release = 1;
 };
 
 /// Numbers the events of Gripper.
 struct GripperEvent {
-  enum : std::uint16_t {
-    jaws_changed,
-    touched,
-  };
+  static constexpr std::uint16_t jaws_changed = 0;
+  static constexpr std::uint16_t touched = 1;
 };
 
 }  // namespace gripping

@@ -209,106 +209,100 @@ void shiftStamps(ArmLocalQueryCpArguments& slot, suture::Duration shift);
 
 /// Numbers the commands of Arm.
 struct ArmCommand {
-  enum : std::uint16_t {
-    enable,
-    disable,
-    home,
-    hold,
-    servo_cp,
-    servo_jp,
-    move_jp,
-    measured_js,
-    setpoint_js,
-    measured_cp,
-    setpoint_cp,
-    operating_state,
-    forward_kinematics,
-    inverse_kinematics,
-    configuration_js,
-    period_statistics,
-    pause,
-    resume,
-    unhome,
-    state_command,
-    goal_js,
-    goal_cp,
-    local_measured_cp,
-    local_setpoint_cp,
-    measured_cv,
-    setpoint_cv,
-    body_measured_cf,
-    spatial_measured_cf,
-    measured_cs,
-    body_jacobian,
-    spatial_jacobian,
-    base_frame,
-    set_base_frame,
-    free,
-    use_gravity_compensation,
-    servo_jr,
-    servo_jv,
-    servo_jf,
-    servo_cr,
-    servo_cv,
-    body_servo_cf,
-    spatial_servo_cf,
-    interpolate_jp,
-    interpolate_jr,
-    interpolate_cp,
-    interpolate_cr,
-    move_jr,
-    move_cp,
-    move_cr,
-    trajectory_j_set_ratio,
-    trajectory_j_set_ratio_v,
-    trajectory_j_set_ratio_a,
-    trajectory_j_ratio,
-    trajectory_j_ratio_v,
-    trajectory_j_ratio_a,
-    query_cp,
-    local_query_cp,
-  };
+  static constexpr std::uint16_t enable = 0;
+  static constexpr std::uint16_t disable = 1;
+  static constexpr std::uint16_t home = 2;
+  static constexpr std::uint16_t hold = 3;
+  static constexpr std::uint16_t servo_cp = 4;
+  static constexpr std::uint16_t servo_jp = 5;
+  static constexpr std::uint16_t move_jp = 6;
+  static constexpr std::uint16_t measured_js = 7;
+  static constexpr std::uint16_t setpoint_js = 8;
+  static constexpr std::uint16_t measured_cp = 9;
+  static constexpr std::uint16_t setpoint_cp = 10;
+  static constexpr std::uint16_t operating_state = 11;
+  static constexpr std::uint16_t forward_kinematics = 12;
+  static constexpr std::uint16_t inverse_kinematics = 13;
+  static constexpr std::uint16_t configuration_js = 14;
+  static constexpr std::uint16_t period_statistics = 15;
+  static constexpr std::uint16_t pause = 16;
+  static constexpr std::uint16_t resume = 17;
+  static constexpr std::uint16_t unhome = 18;
+  static constexpr std::uint16_t state_command = 19;
+  static constexpr std::uint16_t goal_js = 20;
+  static constexpr std::uint16_t goal_cp = 21;
+  static constexpr std::uint16_t local_measured_cp = 22;
+  static constexpr std::uint16_t local_setpoint_cp = 23;
+  static constexpr std::uint16_t measured_cv = 24;
+  static constexpr std::uint16_t setpoint_cv = 25;
+  static constexpr std::uint16_t body_measured_cf = 26;
+  static constexpr std::uint16_t spatial_measured_cf = 27;
+  static constexpr std::uint16_t measured_cs = 28;
+  static constexpr std::uint16_t body_jacobian = 29;
+  static constexpr std::uint16_t spatial_jacobian = 30;
+  static constexpr std::uint16_t base_frame = 31;
+  static constexpr std::uint16_t set_base_frame = 32;
+  static constexpr std::uint16_t free = 33;
+  static constexpr std::uint16_t use_gravity_compensation = 34;
+  static constexpr std::uint16_t servo_jr = 35;
+  static constexpr std::uint16_t servo_jv = 36;
+  static constexpr std::uint16_t servo_jf = 37;
+  static constexpr std::uint16_t servo_cr = 38;
+  static constexpr std::uint16_t servo_cv = 39;
+  static constexpr std::uint16_t body_servo_cf = 40;
+  static constexpr std::uint16_t spatial_servo_cf = 41;
+  static constexpr std::uint16_t interpolate_jp = 42;
+  static constexpr std::uint16_t interpolate_jr = 43;
+  static constexpr std::uint16_t interpolate_cp = 44;
+  static constexpr std::uint16_t interpolate_cr = 45;
+  static constexpr std::uint16_t move_jr = 46;
+  static constexpr std::uint16_t move_cp = 47;
+  static constexpr std::uint16_t move_cr = 48;
+  static constexpr std::uint16_t trajectory_j_set_ratio = 49;
+  static constexpr std::uint16_t trajectory_j_set_ratio_v = 50;
+  static constexpr std::uint16_t trajectory_j_set_ratio_a = 51;
+  static constexpr std::uint16_t trajectory_j_ratio = 52;
+  static constexpr std::uint16_t trajectory_j_ratio_v = 53;
+  static constexpr std::uint16_t trajectory_j_ratio_a = 54;
+  static constexpr std::uint16_t query_cp = 55;
+  static constexpr std::uint16_t local_query_cp = 56;
 };
 
 /// Numbers the events of Arm, behind those that it inherits.
 struct ArmEvent {
-  enum : std::uint16_t {
-    operating_state = 3,
-    goal_reached,
-    desired_state,
-    gravity_compensation,
-    trajectory_j_ratio,
-    trajectory_j_ratio_v,
-    trajectory_j_ratio_a,
-  };
+  static constexpr std::uint16_t operating_state = 3;
+  static constexpr std::uint16_t goal_reached = 4;
+  static constexpr std::uint16_t desired_state = 5;
+  static constexpr std::uint16_t gravity_compensation = 6;
+  static constexpr std::uint16_t trajectory_j_ratio = 7;
+  static constexpr std::uint16_t trajectory_j_ratio_v = 8;
+  static constexpr std::uint16_t trajectory_j_ratio_a = 9;
 };
 
 /// Numbers the reads of Arm as a row of the state has them.
 struct ArmColumn {
-  enum : std::uint16_t {
-    measured_js,
-    setpoint_js,
-    measured_cp,
-    setpoint_cp,
-    operating_state,
-    configuration_js,
-    period_statistics,
-    goal_js,
-    goal_cp,
-    local_measured_cp,
-    local_setpoint_cp,
-    measured_cv,
-    setpoint_cv,
-    body_measured_cf,
-    spatial_measured_cf,
-    measured_cs,
-    body_jacobian,
-    spatial_jacobian,
-    base_frame,
-    trajectory_j_ratio,
-    trajectory_j_ratio_v,
-    trajectory_j_ratio_a,
-  };
+  static constexpr std::uint16_t measured_js = 0;
+  static constexpr std::uint16_t setpoint_js = 1;
+  static constexpr std::uint16_t measured_cp = 2;
+  static constexpr std::uint16_t setpoint_cp = 3;
+  static constexpr std::uint16_t operating_state = 4;
+  static constexpr std::uint16_t configuration_js = 5;
+  static constexpr std::uint16_t period_statistics = 6;
+  static constexpr std::uint16_t goal_js = 7;
+  static constexpr std::uint16_t goal_cp = 8;
+  static constexpr std::uint16_t local_measured_cp = 9;
+  static constexpr std::uint16_t local_setpoint_cp = 10;
+  static constexpr std::uint16_t measured_cv = 11;
+  static constexpr std::uint16_t setpoint_cv = 12;
+  static constexpr std::uint16_t body_measured_cf = 13;
+  static constexpr std::uint16_t spatial_measured_cf = 14;
+  static constexpr std::uint16_t measured_cs = 15;
+  static constexpr std::uint16_t body_jacobian = 16;
+  static constexpr std::uint16_t spatial_jacobian = 17;
+  static constexpr std::uint16_t base_frame = 18;
+  static constexpr std::uint16_t trajectory_j_ratio = 19;
+  static constexpr std::uint16_t trajectory_j_ratio_v = 20;
+  static constexpr std::uint16_t trajectory_j_ratio_a = 21;
 };
 
 }  // namespace robots

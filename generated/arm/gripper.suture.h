@@ -18,25 +18,19 @@ namespace robots {
 
 /// Numbers the commands of Gripper.
 struct GripperCommand {
-  enum : std::uint16_t {
-    configuration_js,
-    measured_js,
-  };
+  static constexpr std::uint16_t configuration_js = 0;
+  static constexpr std::uint16_t measured_js = 1;
 };
 
 /// Numbers the events of Gripper.
 struct GripperEvent {
-  enum : std::uint16_t {
-    closed,
-  };
+  static constexpr std::uint16_t closed = 0;
 };
 
 /// Numbers the reads of Gripper as a row of the state has them.
 struct GripperColumn {
-  enum : std::uint16_t {
-    configuration_js,
-    measured_js,
-  };
+  static constexpr std::uint16_t configuration_js = 0;
+  static constexpr std::uint16_t measured_js = 1;
 };
 
 }  // namespace robots

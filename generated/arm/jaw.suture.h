@@ -42,30 +42,24 @@ void shiftStamps(JawMoveJpArguments& slot, suture::Duration shift);
 
 /// Numbers the commands of Jaw.
 struct JawCommand {
-  enum : std::uint16_t {
-    configuration_js,
-    measured_js,
-    setpoint_js,
-    servo_jp,
-    servo_jf,
-    move_jp,
-  };
+  static constexpr std::uint16_t configuration_js = 0;
+  static constexpr std::uint16_t measured_js = 1;
+  static constexpr std::uint16_t setpoint_js = 2;
+  static constexpr std::uint16_t servo_jp = 3;
+  static constexpr std::uint16_t servo_jf = 4;
+  static constexpr std::uint16_t move_jp = 5;
 };
 
 /// Numbers the events of Jaw, behind those that it inherits.
 struct JawEvent {
-  enum : std::uint16_t {
-    goal_reached = 3,
-  };
+  static constexpr std::uint16_t goal_reached = 3;
 };
 
 /// Numbers the reads of Jaw as a row of the state has them.
 struct JawColumn {
-  enum : std::uint16_t {
-    configuration_js,
-    measured_js,
-    setpoint_js,
-  };
+  static constexpr std::uint16_t configuration_js = 0;
+  static constexpr std::uint16_t measured_js = 1;
+  static constexpr std::uint16_t setpoint_js = 2;
 };
 
 }  // namespace robots

@@ -46,16 +46,12 @@ bool store(const SmallBlock& block, SmallBlocksBounceArguments& slot);
 
 /// Numbers the commands of SmallBlocks.
 struct SmallBlocksCommand {
-  enum : std::uint16_t {
-    bounce,
-  };
+  static constexpr std::uint16_t bounce = 0;
 };
 
 /// Numbers the events of SmallBlocks.
 struct SmallBlocksEvent {
-  enum : std::uint16_t {
-    echo,
-  };
+  static constexpr std::uint16_t echo = 0;
 };
 
 // --- LargeBlocks: the arguments of its commands ---
@@ -68,16 +64,12 @@ bool store(const LargeBlock& block, LargeBlocksBounceArguments& slot);
 
 /// Numbers the commands of LargeBlocks.
 struct LargeBlocksCommand {
-  enum : std::uint16_t {
-    bounce,
-  };
+  static constexpr std::uint16_t bounce = 0;
 };
 
 /// Numbers the events of LargeBlocks.
 struct LargeBlocksEvent {
-  enum : std::uint16_t {
-    echo,
-  };
+  static constexpr std::uint16_t echo = 0;
 };
 
 }  // namespace bench

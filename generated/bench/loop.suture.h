@@ -33,25 +33,19 @@ void shiftStamps(LoopServerBounceArguments& slot, suture::Duration shift);
 
 /// Numbers the commands of LoopServer.
 struct LoopServerCommand {
-  enum : std::uint16_t {
-    put,
-    bounce,
-    value,
-  };
+  static constexpr std::uint16_t put = 0;
+  static constexpr std::uint16_t bounce = 1;
+  static constexpr std::uint16_t value = 2;
 };
 
 /// Numbers the events of LoopServer.
 struct LoopServerEvent {
-  enum : std::uint16_t {
-    echo,
-  };
+  static constexpr std::uint16_t echo = 0;
 };
 
 /// Numbers the reads of LoopServer as a row of the state has them.
 struct LoopServerColumn {
-  enum : std::uint16_t {
-    value,
-  };
+  static constexpr std::uint16_t value = 0;
 };
 
 }  // namespace bench

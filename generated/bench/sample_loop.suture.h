@@ -33,25 +33,19 @@ void shiftStamps(SampleServerBounceArguments& slot, suture::Duration shift);
 
 /// Numbers the commands of SampleServer.
 struct SampleServerCommand {
-  enum : std::uint16_t {
-    put,
-    bounce,
-    value,
-  };
+  static constexpr std::uint16_t put = 0;
+  static constexpr std::uint16_t bounce = 1;
+  static constexpr std::uint16_t value = 2;
 };
 
 /// Numbers the events of SampleServer.
 struct SampleServerEvent {
-  enum : std::uint16_t {
-    echo,
-  };
+  static constexpr std::uint16_t echo = 0;
 };
 
 /// Numbers the reads of SampleServer as a row of the state has them.
 struct SampleServerColumn {
-  enum : std::uint16_t {
-    value,
-  };
+  static constexpr std::uint16_t value = 0;
 };
 
 }  // namespace bench

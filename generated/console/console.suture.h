@@ -19,25 +19,19 @@ bool isKnownConsoleState(std::uint8_t slot);
 
 /// Numbers the commands of Console.
 struct ConsoleCommand {
-  enum : std::uint16_t {
-    bring_up,
-    bring_down,
-    console_state,
-  };
+  static constexpr std::uint16_t bring_up = 0;
+  static constexpr std::uint16_t bring_down = 1;
+  static constexpr std::uint16_t console_state = 2;
 };
 
 /// Numbers the events of Console, behind those that it inherits.
 struct ConsoleEvent {
-  enum : std::uint16_t {
-    console_state = 3,
-  };
+  static constexpr std::uint16_t console_state = 3;
 };
 
 /// Numbers the reads of Console as a row of the state has them.
 struct ConsoleColumn {
-  enum : std::uint16_t {
-    console_state,
-  };
+  static constexpr std::uint16_t console_state = 0;
 };
 
 }  // namespace robots

@@ -42,25 +42,19 @@ bool isValid(const StopNewsSlot& slot, suture::FieldPath* path);
 
 /// Numbers the commands of EmergencyStop.
 struct EmergencyStopCommand {
-  enum : std::uint16_t {
-    press,
-    release,
-    permit,
-  };
+  static constexpr std::uint16_t press = 0;
+  static constexpr std::uint16_t release = 1;
+  static constexpr std::uint16_t permit = 2;
 };
 
 /// Numbers the events of EmergencyStop.
 struct EmergencyStopEvent {
-  enum : std::uint16_t {
-    stop,
-  };
+  static constexpr std::uint16_t stop = 0;
 };
 
 /// Numbers the reads of EmergencyStop as a row of the state has them.
 struct EmergencyStopColumn {
-  enum : std::uint16_t {
-    permit,
-  };
+  static constexpr std::uint16_t permit = 0;
 };
 
 }  // namespace robots

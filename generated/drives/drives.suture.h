@@ -69,26 +69,20 @@ bool store(const DriveGoal& goal, DrivesServoJpArguments& slot);
 
 /// Numbers the commands of Drives.
 struct DrivesCommand {
-  enum : std::uint16_t {
-    power_on,
-    power_off,
-    servo_jp,
-    feedback,
-  };
+  static constexpr std::uint16_t power_on = 0;
+  static constexpr std::uint16_t power_off = 1;
+  static constexpr std::uint16_t servo_jp = 2;
+  static constexpr std::uint16_t feedback = 3;
 };
 
 /// Numbers the events of Drives.
 struct DrivesEvent {
-  enum : std::uint16_t {
-    power,
-  };
+  static constexpr std::uint16_t power = 0;
 };
 
 /// Numbers the reads of Drives as a row of the state has them.
 struct DrivesColumn {
-  enum : std::uint16_t {
-    feedback,
-  };
+  static constexpr std::uint16_t feedback = 0;
 };
 
 }  // namespace robots

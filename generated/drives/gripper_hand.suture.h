@@ -24,9 +24,7 @@ bool store(const double& angle, GripperHandSqueezeArguments& slot);
 
 /// Numbers the commands of GripperHand.
 struct GripperHandCommand {
-  enum : std::uint16_t {
-    squeeze,
-  };
+  static constexpr std::uint16_t squeeze = 0;
 };
 
 }  // namespace robots

@@ -32,27 +32,21 @@ bool isValid(const GuidanceProgressSlot& slot, suture::FieldPath* path);
 
 /// Numbers the commands of Guidance.
 struct GuidanceCommand {
-  enum : std::uint16_t {
-    guidance_state,
-    progress,
-    enable,
-    disable,
-  };
+  static constexpr std::uint16_t guidance_state = 0;
+  static constexpr std::uint16_t progress = 1;
+  static constexpr std::uint16_t enable = 2;
+  static constexpr std::uint16_t disable = 3;
 };
 
 /// Numbers the events of Guidance.
 struct GuidanceEvent {
-  enum : std::uint16_t {
-    guidance_state,
-  };
+  static constexpr std::uint16_t guidance_state = 0;
 };
 
 /// Numbers the reads of Guidance as a row of the state has them.
 struct GuidanceColumn {
-  enum : std::uint16_t {
-    guidance_state,
-    progress,
-  };
+  static constexpr std::uint16_t guidance_state = 0;
+  static constexpr std::uint16_t progress = 1;
 };
 
 }  // namespace robots

@@ -24,17 +24,13 @@ bool store(const double& angle, TurntableTurnArguments& slot);
 
 /// Numbers the commands of Turntable.
 struct TurntableCommand {
-  enum : std::uint16_t {
-    turn,
-    angle,
-  };
+  static constexpr std::uint16_t turn = 0;
+  static constexpr std::uint16_t angle = 1;
 };
 
 /// Numbers the reads of Turntable as a row of the state has them.
 struct TurntableColumn {
-  enum : std::uint16_t {
-    angle,
-  };
+  static constexpr std::uint16_t angle = 0;
 };
 
 }  // namespace loadable

@@ -32,25 +32,19 @@ bool isValid(const PedalStateSlot& slot, suture::FieldPath* path);
 
 /// Numbers the commands of FootPedals.
 struct FootPedalsCommand {
-  enum : std::uint16_t {
-    pedals,
-  };
+  static constexpr std::uint16_t pedals = 0;
 };
 
 /// Numbers the events of FootPedals.
 struct FootPedalsEvent {
-  enum : std::uint16_t {
-    clutch,
-    camera,
-    coagulation,
-  };
+  static constexpr std::uint16_t clutch = 0;
+  static constexpr std::uint16_t camera = 1;
+  static constexpr std::uint16_t coagulation = 2;
 };
 
 /// Numbers the reads of FootPedals as a row of the state has them.
 struct FootPedalsColumn {
-  enum : std::uint16_t {
-    pedals,
-  };
+  static constexpr std::uint16_t pedals = 0;
 };
 
 }  // namespace robots

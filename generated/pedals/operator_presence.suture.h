@@ -29,23 +29,17 @@ bool isValid(const PresenceSlot& slot, suture::FieldPath* path);
 
 /// Numbers the commands of OperatorPresence.
 struct OperatorPresenceCommand {
-  enum : std::uint16_t {
-    presence,
-  };
+  static constexpr std::uint16_t presence = 0;
 };
 
 /// Numbers the events of OperatorPresence.
 struct OperatorPresenceEvent {
-  enum : std::uint16_t {
-    operator_present,
-  };
+  static constexpr std::uint16_t operator_present = 0;
 };
 
 /// Numbers the reads of OperatorPresence as a row of the state has them.
 struct OperatorPresenceColumn {
-  enum : std::uint16_t {
-    presence,
-  };
+  static constexpr std::uint16_t presence = 0;
 };
 
 }  // namespace robots

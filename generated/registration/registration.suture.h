@@ -43,17 +43,13 @@ bool store(const Eigen::Isometry3d& camera, RegistrationSetCameraArguments& slot
 
 /// Numbers the commands of Registration.
 struct RegistrationCommand {
-  enum : std::uint16_t {
-    frames,
-    set_camera,
-  };
+  static constexpr std::uint16_t frames = 0;
+  static constexpr std::uint16_t set_camera = 1;
 };
 
 /// Numbers the reads of Registration as a row of the state has them.
 struct RegistrationColumn {
-  enum : std::uint16_t {
-    frames,
-  };
+  static constexpr std::uint16_t frames = 0;
 };
 
 }  // namespace robots

@@ -32,16 +32,12 @@ bool isValid(const StrandStateSlot& slot, suture::FieldPath* path);
 
 /// Numbers the commands of StrandView.
 struct StrandViewCommand {
-  enum : std::uint16_t {
-    strand,
-  };
+  static constexpr std::uint16_t strand = 0;
 };
 
 /// Numbers the reads of StrandView as a row of the state has them.
 struct StrandViewColumn {
-  enum : std::uint16_t {
-    strand,
-  };
+  static constexpr std::uint16_t strand = 0;
 };
 
 }  // namespace robots

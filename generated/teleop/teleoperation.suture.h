@@ -68,34 +68,28 @@ bool store(const bool& lock, TeleoperationLockTranslationArguments& slot);
 
 /// Numbers the commands of Teleoperation.
 struct TeleoperationCommand {
-  enum : std::uint16_t {
-    enable,
-    disable,
-    teleop_state,
-    anchors,
-    set_scale,
-    lock_rotation,
-    lock_translation,
-    settings,
-  };
+  static constexpr std::uint16_t enable = 0;
+  static constexpr std::uint16_t disable = 1;
+  static constexpr std::uint16_t teleop_state = 2;
+  static constexpr std::uint16_t anchors = 3;
+  static constexpr std::uint16_t set_scale = 4;
+  static constexpr std::uint16_t lock_rotation = 5;
+  static constexpr std::uint16_t lock_translation = 6;
+  static constexpr std::uint16_t settings = 7;
 };
 
 /// Numbers the events of Teleoperation.
 struct TeleoperationEvent {
-  enum : std::uint16_t {
-    teleop_state,
-    followed,
-    settings,
-  };
+  static constexpr std::uint16_t teleop_state = 0;
+  static constexpr std::uint16_t followed = 1;
+  static constexpr std::uint16_t settings = 2;
 };
 
 /// Numbers the reads of Teleoperation as a row of the state has them.
 struct TeleoperationColumn {
-  enum : std::uint16_t {
-    teleop_state,
-    anchors,
-    settings,
-  };
+  static constexpr std::uint16_t teleop_state = 0;
+  static constexpr std::uint16_t anchors = 1;
+  static constexpr std::uint16_t settings = 2;
 };
 
 }  // namespace robots

@@ -32,16 +32,12 @@ bool isValid(const KnotSightingSlot& slot, suture::FieldPath* path);
 
 /// Numbers the commands of KnotVision.
 struct KnotVisionCommand {
-  enum : std::uint16_t {
-    sighting,
-  };
+  static constexpr std::uint16_t sighting = 0;
 };
 
 /// Numbers the reads of KnotVision as a row of the state has them.
 struct KnotVisionColumn {
-  enum : std::uint16_t {
-    sighting,
-  };
+  static constexpr std::uint16_t sighting = 0;
 };
 
 }  // namespace robots

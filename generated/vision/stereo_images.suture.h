@@ -31,18 +31,14 @@ bool isValid(const StereoPairSlot& slot, suture::FieldPath* path);
 
 /// Numbers the commands of StereoImages.
 struct StereoImagesCommand {
-  enum : std::uint16_t {
-    images,
-    exposed,
-  };
+  static constexpr std::uint16_t images = 0;
+  static constexpr std::uint16_t exposed = 1;
 };
 
 /// Numbers the reads of StereoImages as a row of the state has them.
 struct StereoImagesColumn {
-  enum : std::uint16_t {
-    images,
-    exposed,
-  };
+  static constexpr std::uint16_t images = 0;
+  static constexpr std::uint16_t exposed = 1;
 };
 
 }  // namespace robots

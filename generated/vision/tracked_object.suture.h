@@ -18,18 +18,14 @@ namespace robots {
 
 /// Numbers the commands of TrackedObject.
 struct TrackedObjectCommand {
-  enum : std::uint16_t {
-    measured_cp,
-    measured_cv,
-  };
+  static constexpr std::uint16_t measured_cp = 0;
+  static constexpr std::uint16_t measured_cv = 1;
 };
 
 /// Numbers the reads of TrackedObject as a row of the state has them.
 struct TrackedObjectColumn {
-  enum : std::uint16_t {
-    measured_cp,
-    measured_cv,
-  };
+  static constexpr std::uint16_t measured_cp = 0;
+  static constexpr std::uint16_t measured_cv = 1;
 };
 
 }  // namespace robots

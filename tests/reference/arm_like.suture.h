@@ -73,37 +73,31 @@ void shiftStamps(ArmLikeMovedPayload& slot, suture::Duration shift);
 
 /// Numbers the commands of ArmLike.
 struct ArmLikeCommand {
-  enum : std::uint16_t {
-    servo_cp,
-    servo_jp,
-    hold,
-    set_mode,
-    measured_cp,
-    measured_js,
-    distance,
-    move,
-    reset,
-    limit,
-    park,
-  };
+  static constexpr std::uint16_t servo_cp = 0;
+  static constexpr std::uint16_t servo_jp = 1;
+  static constexpr std::uint16_t hold = 2;
+  static constexpr std::uint16_t set_mode = 3;
+  static constexpr std::uint16_t measured_cp = 4;
+  static constexpr std::uint16_t measured_js = 5;
+  static constexpr std::uint16_t distance = 6;
+  static constexpr std::uint16_t move = 7;
+  static constexpr std::uint16_t reset = 8;
+  static constexpr std::uint16_t limit = 9;
+  static constexpr std::uint16_t park = 10;
 };
 
 /// Numbers the events of ArmLike.
 struct ArmLikeEvent {
-  enum : std::uint16_t {
-    mode,
-    arrived,
-    stopped,
-    moved,
-  };
+  static constexpr std::uint16_t mode = 0;
+  static constexpr std::uint16_t arrived = 1;
+  static constexpr std::uint16_t stopped = 2;
+  static constexpr std::uint16_t moved = 3;
 };
 
 /// Numbers the reads of ArmLike as a row of the state has them.
 struct ArmLikeColumn {
-  enum : std::uint16_t {
-    measured_cp,
-    measured_js,
-  };
+  static constexpr std::uint16_t measured_cp = 0;
+  static constexpr std::uint16_t measured_js = 1;
 };
 
 }  // namespace reference

@@ -32,28 +32,22 @@ bool store(const double& width, GripperArmFitsArguments& slot);
 
 /// Numbers the commands of GripperArm, behind those that it inherits.
 struct GripperArmCommand {
-  enum : std::uint16_t {
-    close = 11,
-    opening,
-    release,
-    fits,
-  };
+  static constexpr std::uint16_t close = 11;
+  static constexpr std::uint16_t opening = 12;
+  static constexpr std::uint16_t release = 13;
+  static constexpr std::uint16_t fits = 14;
 };
 
 /// Numbers the events of GripperArm, behind those that it inherits.
 struct GripperArmEvent {
-  enum : std::uint16_t {
-    gripped = 4,
-  };
+  static constexpr std::uint16_t gripped = 4;
 };
 
 /// Numbers the reads of GripperArm as a row of the state has them.
 struct GripperArmColumn {
-  enum : std::uint16_t {
-    measured_cp,
-    measured_js,
-    opening,
-  };
+  static constexpr std::uint16_t measured_cp = 0;
+  static constexpr std::uint16_t measured_js = 1;
+  static constexpr std::uint16_t opening = 2;
 };
 
 }  // namespace reference

@@ -145,18 +145,20 @@ void forEachPayload(const model::Interface& interface, const Emit& emit) {
   }
 }
 
-/// Emits the numbers of what the contract declares itself, behind those of what it inherits. They
-/// are an unscoped enum within a struct, so that a table takes them without a cast.
+/// Emits the numbers of what the contract declares itself, behind those of what it inherits. Clang
+/// would warn of an enumerator that has the name of something in the user's namespace, but does not
+/// of a member.
 template <class Declarations>
 void emitNumbers(Code& code, const std::string& contract, const char* kind, const std::string& doc,
                  const Declarations& own, std::size_t inherited) {
   if (own.empty()) return;
   code.line("/// Numbers ", doc, ".");
-  code.open("struct ", contract, kind, " {").open("enum : std::uint16_t {");
+  code.open("struct ", contract, kind, " {");
   for (const auto* const declaration : own) {
-    code.line(declaration->name, startOf(std::exchange(inherited, 0)), ",");
+    code.line("static constexpr std::uint16_t ", declaration->name, " = ",
+              std::to_string(inherited++), ";");
   }
-  code.close("};").close("};").blank();
+  code.close("};").blank();
 }
 
 /// Returns "the events of Arm, behind those that it inherits".

@@ -77,10 +77,6 @@ std::vector<const model::Event*> ownEvents(const model::Interface& interface) {
   return ownOf(interface.events);
 }
 
-std::string startOf(std::size_t inherited) {
-  return inherited == 0 ? "" : " = " + std::to_string(inherited);
-}
-
 void emitEntry(Code& code, const std::vector<std::string>& members) {
   std::string row;
   for (const std::string& member : members) row += (row.empty() ? "    {" : ", ") + member;

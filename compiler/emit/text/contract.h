@@ -37,10 +37,6 @@ void emitNumberAliases(Code& code, const Context& context, const model::Interfac
 std::vector<const model::Command*> ownCommands(const model::Interface& interface);
 std::vector<const model::Event*> ownEvents(const model::Interface& interface);
 
-/// Returns what follows the name of a contract's first own command or event in the enum where its
-/// number is not 0: " = 11".
-std::string startOf(std::size_t inherited);
-
 /// Emits a row of a table: on one line if it fits, else one member a line.
 void emitEntry(Code& code, const std::vector<std::string>& members);
 

@@ -94,50 +94,44 @@ bool store(const std::string& value, AllKindsSwapTextArguments& slot);
 
 /// Numbers the commands of AllKinds.
 struct AllKindsCommand {
-  enum : std::uint16_t {
-    clear,
-    set_scalar,
-    set_vector,
-    set_record,
-    set_text,
-    scalar,
-    vector,
-    record,
-    text,
-    twice_scalar,
-    twice_vector,
-    twice_record,
-    twice_text,
-    take_scalar,
-    take_vector,
-    take_record,
-    take_text,
-    swap_scalar,
-    swap_vector,
-    swap_record,
-    swap_text,
-  };
+  static constexpr std::uint16_t clear = 0;
+  static constexpr std::uint16_t set_scalar = 1;
+  static constexpr std::uint16_t set_vector = 2;
+  static constexpr std::uint16_t set_record = 3;
+  static constexpr std::uint16_t set_text = 4;
+  static constexpr std::uint16_t scalar = 5;
+  static constexpr std::uint16_t vector = 6;
+  static constexpr std::uint16_t record = 7;
+  static constexpr std::uint16_t text = 8;
+  static constexpr std::uint16_t twice_scalar = 9;
+  static constexpr std::uint16_t twice_vector = 10;
+  static constexpr std::uint16_t twice_record = 11;
+  static constexpr std::uint16_t twice_text = 12;
+  static constexpr std::uint16_t take_scalar = 13;
+  static constexpr std::uint16_t take_vector = 14;
+  static constexpr std::uint16_t take_record = 15;
+  static constexpr std::uint16_t take_text = 16;
+  static constexpr std::uint16_t swap_scalar = 17;
+  static constexpr std::uint16_t swap_vector = 18;
+  static constexpr std::uint16_t swap_record = 19;
+  static constexpr std::uint16_t swap_text = 20;
 };
 
 /// Numbers the events of AllKinds.
 struct AllKindsEvent {
-  enum : std::uint16_t {
-    cleared,
-    scalar_set,
-    vector_set,
-    record_set,
-    text_set,
-  };
+  static constexpr std::uint16_t cleared = 0;
+  static constexpr std::uint16_t scalar_set = 1;
+  static constexpr std::uint16_t vector_set = 2;
+  static constexpr std::uint16_t record_set = 3;
+  static constexpr std::uint16_t text_set = 4;
 };
 
 /// Numbers the reads of AllKinds as a row of the state has them.
 struct AllKindsColumn {
-  enum : std::uint16_t {
-    scalar,
-    vector,
-    record,
-    text,
-  };
+  static constexpr std::uint16_t scalar = 0;
+  static constexpr std::uint16_t vector = 1;
+  static constexpr std::uint16_t record = 2;
+  static constexpr std::uint16_t text = 3;
 };
 
 }  // namespace scenarios

@@ -48,23 +48,19 @@ bool store(const CollectingInterval& interval, CollectingSetIntervalArguments& s
 
 /// Numbers the commands of Collecting.
 struct CollectingCommand {
-  enum : std::uint16_t {
-    start_collecting,
-    stop_collecting,
-    set_interval,
-    interval,
-    collecting,
-    counts,
-  };
+  static constexpr std::uint16_t start_collecting = 0;
+  static constexpr std::uint16_t stop_collecting = 1;
+  static constexpr std::uint16_t set_interval = 2;
+  static constexpr std::uint16_t interval = 3;
+  static constexpr std::uint16_t collecting = 4;
+  static constexpr std::uint16_t counts = 5;
 };
 
 /// Numbers the reads of Collecting as a row of the state has them.
 struct CollectingColumn {
-  enum : std::uint16_t {
-    interval,
-    collecting,
-    counts,
-  };
+  static constexpr std::uint16_t interval = 0;
+  static constexpr std::uint16_t collecting = 1;
+  static constexpr std::uint16_t counts = 2;
 };
 
 }  // namespace suture

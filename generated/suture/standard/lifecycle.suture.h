@@ -41,26 +41,20 @@ bool store(const std::string& required, LifecycleResumeConnectionArguments& slot
 
 /// Numbers the commands of Lifecycle.
 struct LifecycleCommand {
-  enum : std::uint16_t {
-    suspend,
-    resume,
-    component_state,
-    resume_connection,
-  };
+  static constexpr std::uint16_t suspend = 0;
+  static constexpr std::uint16_t resume = 1;
+  static constexpr std::uint16_t component_state = 2;
+  static constexpr std::uint16_t resume_connection = 3;
 };
 
 /// Numbers the events of Lifecycle.
 struct LifecycleEvent {
-  enum : std::uint16_t {
-    state_changed,
-  };
+  static constexpr std::uint16_t state_changed = 0;
 };
 
 /// Numbers the reads of Lifecycle as a row of the state has them.
 struct LifecycleColumn {
-  enum : std::uint16_t {
-    component_state,
-  };
+  static constexpr std::uint16_t component_state = 0;
 };
 
 }  // namespace suture

@@ -31,11 +31,9 @@ bool isValid(const MessageSlot& slot, suture::FieldPath* path);
 
 /// Numbers the events of Messages.
 struct MessagesEvent {
-  enum : std::uint16_t {
-    status,
-    warning,
-    error,
-  };
+  static constexpr std::uint16_t status = 0;
+  static constexpr std::uint16_t warning = 1;
+  static constexpr std::uint16_t error = 2;
 };
 
 }  // namespace suture

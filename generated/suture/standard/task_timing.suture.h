@@ -44,20 +44,16 @@ bool isValid(const TaskWindowSlot& slot, suture::FieldPath* path);
 
 /// Numbers the commands of TaskTiming.
 struct TaskTimingCommand {
-  enum : std::uint16_t {
-    window,
-    cycles,
-    skipped,
-  };
+  static constexpr std::uint16_t window = 0;
+  static constexpr std::uint16_t cycles = 1;
+  static constexpr std::uint16_t skipped = 2;
 };
 
 /// Numbers the reads of TaskTiming as a row of the state has them.
 struct TaskTimingColumn {
-  enum : std::uint16_t {
-    window,
-    cycles,
-    skipped,
-  };
+  static constexpr std::uint16_t window = 0;
+  static constexpr std::uint16_t cycles = 1;
+  static constexpr std::uint16_t skipped = 2;
 };
 
 }  // namespace suture

@@ -25,17 +25,13 @@ bool store(const bool& on, LampLightArguments& slot);
 
 /// Numbers the commands of Lamp.
 struct LampCommand {
-  enum : std::uint16_t {
-    light,
-    lit,
-  };
+  static constexpr std::uint16_t light = 0;
+  static constexpr std::uint16_t lit = 1;
 };
 
 /// Numbers the reads of Lamp as a row of the state has them.
 struct LampColumn {
-  enum : std::uint16_t {
-    lit,
-  };
+  static constexpr std::uint16_t lit = 0;
 };
 
 }  // namespace contracts

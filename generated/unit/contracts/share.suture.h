@@ -30,20 +30,16 @@ bool store(const double& wanted, ShareTakeArguments& slot);
 
 /// Numbers the commands of Share.
 struct ShareCommand {
-  enum : std::uint16_t {
-    share,
-    shares,
-    take,
-    reach,
-  };
+  static constexpr std::uint16_t share = 0;
+  static constexpr std::uint16_t shares = 1;
+  static constexpr std::uint16_t take = 2;
+  static constexpr std::uint16_t reach = 3;
 };
 
 /// Numbers the reads of Share as a row of the state has them.
 struct ShareColumn {
-  enum : std::uint16_t {
-    share,
-    reach,
-  };
+  static constexpr std::uint16_t share = 0;
+  static constexpr std::uint16_t reach = 1;
 };
 
 }  // namespace contracts

@@ -55,26 +55,20 @@ bool store(const std::uint32_t& dots, CanvasCopyArguments& slot);
 
 /// Numbers the commands of Canvas.
 struct CanvasCommand {
-  enum : std::uint16_t {
-    resize,
-    paint,
-    painting,
-    copy,
-  };
+  static constexpr std::uint16_t resize = 0;
+  static constexpr std::uint16_t paint = 1;
+  static constexpr std::uint16_t painting = 2;
+  static constexpr std::uint16_t copy = 3;
 };
 
 /// Numbers the events of Canvas.
 struct CanvasEvent {
-  enum : std::uint16_t {
-    painted,
-  };
+  static constexpr std::uint16_t painted = 0;
 };
 
 /// Numbers the reads of Canvas as a row of the state has them.
 struct CanvasColumn {
-  enum : std::uint16_t {
-    painting,
-  };
+  static constexpr std::uint16_t painting = 0;
 };
 
 }  // namespace large_values

@@ -41,27 +41,21 @@ bool store(const Picture& picture, GalleryHangArguments& slot);
 
 /// Numbers the commands of Gallery.
 struct GalleryCommand {
-  enum : std::uint16_t {
-    newest,
-    oldest,
-    dimmed,
-    hang,
-  };
+  static constexpr std::uint16_t newest = 0;
+  static constexpr std::uint16_t oldest = 1;
+  static constexpr std::uint16_t dimmed = 2;
+  static constexpr std::uint16_t hang = 3;
 };
 
 /// Numbers the events of Gallery.
 struct GalleryEvent {
-  enum : std::uint16_t {
-    hung,
-  };
+  static constexpr std::uint16_t hung = 0;
 };
 
 /// Numbers the reads of Gallery as a row of the state has them.
 struct GalleryColumn {
-  enum : std::uint16_t {
-    newest,
-    oldest,
-  };
+  static constexpr std::uint16_t newest = 0;
+  static constexpr std::uint16_t oldest = 1;
 };
 
 }  // namespace large_values

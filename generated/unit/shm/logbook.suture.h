@@ -24,32 +24,24 @@ bool store(const std::int32_t& entries, CounterCountArguments& slot);
 
 /// Numbers the commands of Counter.
 struct CounterCommand {
-  enum : std::uint16_t {
-    count,
-    entries,
-  };
+  static constexpr std::uint16_t count = 0;
+  static constexpr std::uint16_t entries = 1;
 };
 
 /// Numbers the reads of Counter as a row of the state has them.
 struct CounterColumn {
-  enum : std::uint16_t {
-    entries,
-  };
+  static constexpr std::uint16_t entries = 0;
 };
 
 /// Numbers the commands of Logbook, behind those that it inherits.
 struct LogbookCommand {
-  enum : std::uint16_t {
-    text = 2,
-  };
+  static constexpr std::uint16_t text = 2;
 };
 
 /// Numbers the reads of Logbook as a row of the state has them.
 struct LogbookColumn {
-  enum : std::uint16_t {
-    entries,
-    text,
-  };
+  static constexpr std::uint16_t entries = 0;
+  static constexpr std::uint16_t text = 1;
 };
 
 }  // namespace logs

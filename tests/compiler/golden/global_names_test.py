@@ -3,10 +3,9 @@
   global_names_test.py SUTUREC COMPILERS CAPNP PLUGIN SCHEMAS FLAG...    COMPILERS are separated by semicolons
 """
 
-import pathlib
-import subprocess
 import sys
-import tempfile
+
+import compiled
 
 TYPES = """\
 #pragma once
@@ -32,7 +31,7 @@ struct SUTURE_TYPE() Device {
   Sample pair[2];
 };
 class SUTURE_TYPE() Result : public Sample {
-  SUTURE_FRIEND();
+  SUTURE_FRIEND()
   Errc hidden_ = Errc::Fine;
 };
 class SUTURE_INTERFACE() Component {
@@ -77,27 +76,5 @@ class SUTURE_COMPONENT() Manager final : public suture::EventTask, public Task {
 """
 
 
-def run(folder, *command):
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-    return [] if done.returncode == 0 else [f"{' '.join(command)}\n{done.stdout}{done.stderr}"]
-
-
-def main():
-    suturec, compilers, capnp, plugin, schemas, *flags = sys.argv[1:]
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in (("types", TYPES), ("manager", COMPONENT)):
-            pathlib.Path(folder, f"{name}.h").write_text(text, encoding="utf-8")
-        problems = []
-        for action in (["--update-lock"], ["--out", ".", "--components-file", "components.cpp"]):
-            problems = problems or run(folder, suturec, *action, "--lock-dir", ".", "types.h", "manager.h", "--", "-I.", *flags)
-        problems = problems or run(folder, capnp, "compile", f"-I{schemas}", "-I.", f"-o{plugin}", "types.capnp", "manager.capnp")
-        sources = sorted(path.name for path in pathlib.Path(folder).glob("*.cpp"))
-        pathlib.Path(folder, "all.cc").write_text("".join(f'#include "{source}"\n' for source in sources), encoding="utf-8")
-        for compiler in compilers.split(";") if not problems else []:
-            problems += run(folder, compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-isystem.", *flags, "all.cc")
-    print("\n".join(problems) or f"{len(sources)} files compile")
-    return 1 if problems else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(compiled.main({"types.h": TYPES, "manager.h": COMPONENT}))

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-STRICT = ["-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-c", "-o", "unit.o", "unit.cpp"]
+STRICT = ["-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-c", "-o", "unit.o", "unit.cpp"]
 LOSSY = "int planted(double value);\nint planted(double value) { return value; }\n"
 LAUNCHER = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")
 

@@ -96,39 +96,33 @@ void shiftStamps(ArmMovedPayload& slot, suture::Duration shift);
 
 /// Numbers the commands of Arm.
 struct ArmCommand {
-  enum : std::uint16_t {
-    enable,
-    servo_cp,
-    set_speed,
-    measured_cp,
-    mode,
-    everything,
-    inverse_kinematics,
-    grasp,
-    next_token,
-    park,
-    load,
-  };
+  static constexpr std::uint16_t enable = 0;
+  static constexpr std::uint16_t servo_cp = 1;
+  static constexpr std::uint16_t set_speed = 2;
+  static constexpr std::uint16_t measured_cp = 3;
+  static constexpr std::uint16_t mode = 4;
+  static constexpr std::uint16_t everything = 5;
+  static constexpr std::uint16_t inverse_kinematics = 6;
+  static constexpr std::uint16_t grasp = 7;
+  static constexpr std::uint16_t next_token = 8;
+  static constexpr std::uint16_t park = 9;
+  static constexpr std::uint16_t load = 10;
 };
 
 /// Numbers the events of Arm.
 struct ArmEvent {
-  enum : std::uint16_t {
-    mode_changed,
-    stopped,
-    arrived,
-    moved,
-  };
+  static constexpr std::uint16_t mode_changed = 0;
+  static constexpr std::uint16_t stopped = 1;
+  static constexpr std::uint16_t arrived = 2;
+  static constexpr std::uint16_t moved = 3;
 };
 
 /// Numbers the reads of Arm as a row of the state has them.
 struct ArmColumn {
-  enum : std::uint16_t {
-    measured_cp,
-    mode,
-    everything,
-    load,
-  };
+  static constexpr std::uint16_t measured_cp = 0;
+  static constexpr std::uint16_t mode = 1;
+  static constexpr std::uint16_t everything = 2;
+  static constexpr std::uint16_t load = 3;
 };
 
 }  // namespace robots

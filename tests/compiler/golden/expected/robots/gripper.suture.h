@@ -42,29 +42,23 @@ void load(const GripperGrippedPayload& slot, double& value, bool& value2);
 
 /// Numbers the commands of Gripper, behind those that it inherits.
 struct GripperCommand {
-  enum : std::uint16_t {
-    open = 11,
-    opening,
-    fits,
-  };
+  static constexpr std::uint16_t open = 11;
+  static constexpr std::uint16_t opening = 12;
+  static constexpr std::uint16_t fits = 13;
 };
 
 /// Numbers the events of Gripper, behind those that it inherits.
 struct GripperEvent {
-  enum : std::uint16_t {
-    gripped = 4,
-  };
+  static constexpr std::uint16_t gripped = 4;
 };
 
 /// Numbers the reads of Gripper as a row of the state has them.
 struct GripperColumn {
-  enum : std::uint16_t {
-    measured_cp,
-    mode,
-    everything,
-    load,
-    opening,
-  };
+  static constexpr std::uint16_t measured_cp = 0;
+  static constexpr std::uint16_t mode = 1;
+  static constexpr std::uint16_t everything = 2;
+  static constexpr std::uint16_t load = 3;
+  static constexpr std::uint16_t opening = 4;
 };
 
 // --- Names: the arguments of its commands ---
@@ -86,25 +80,19 @@ bool store(const double& range, const double& slot, const double& store_,
 
 /// Numbers the commands of Names.
 struct NamesCommand {
-  enum : std::uint16_t {
-    queue,
-    name,
-    range,
-  };
+  static constexpr std::uint16_t queue = 0;
+  static constexpr std::uint16_t name = 1;
+  static constexpr std::uint16_t range = 2;
 };
 
 /// Numbers the events of Names.
 struct NamesEvent {
-  enum : std::uint16_t {
-    latched,
-  };
+  static constexpr std::uint16_t latched = 0;
 };
 
 /// Numbers the reads of Names as a row of the state has them.
 struct NamesColumn {
-  enum : std::uint16_t {
-    range,
-  };
+  static constexpr std::uint16_t range = 0;
 };
 
 }  // namespace robots

@@ -155,6 +155,9 @@ class SUTURE_INTERFACE() Client {
 /** Is as of a vendor's SDK, C:\sdk\status\ */
 enum class SUTURE_TYPE() Status { Ok, Error, Stopped };
 
+inline double turn(double angle) { return angle; }
+constexpr double gain = 2;
+
 /// Has helpers with the names of its commands, and a parameter whose name reads like another's.
 class SUTURE_INTERFACE() Stage {
  public:

@@ -55,17 +55,13 @@ bool store(const cv::Point3d& at, CameraAimArguments& slot);
 
 /// Numbers the commands of Camera.
 struct CameraCommand {
-  enum : std::uint16_t {
-    aim,
-    view,
-  };
+  static constexpr std::uint16_t aim = 0;
+  static constexpr std::uint16_t view = 1;
 };
 
 /// Numbers the reads of Camera as a row of the state has them.
 struct CameraColumn {
-  enum : std::uint16_t {
-    view,
-  };
+  static constexpr std::uint16_t view = 0;
 };
 
 }  // namespace foreign

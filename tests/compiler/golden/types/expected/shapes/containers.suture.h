@@ -110,31 +110,25 @@ bool store(const std::optional<double>& gain, StoreChooseArguments& slot);
 
 /// Numbers the commands of Store.
 struct StoreCommand {
-  enum : std::uint16_t {
-    put,
-    choose,
-    sequences,
-    choices,
-    matrices,
-    reading,
-  };
+  static constexpr std::uint16_t put = 0;
+  static constexpr std::uint16_t choose = 1;
+  static constexpr std::uint16_t sequences = 2;
+  static constexpr std::uint16_t choices = 3;
+  static constexpr std::uint16_t matrices = 4;
+  static constexpr std::uint16_t reading = 5;
 };
 
 /// Numbers the events of Store.
 struct StoreEvent {
-  enum : std::uint16_t {
-    changed,
-  };
+  static constexpr std::uint16_t changed = 0;
 };
 
 /// Numbers the reads of Store as a row of the state has them.
 struct StoreColumn {
-  enum : std::uint16_t {
-    sequences,
-    choices,
-    matrices,
-    reading,
-  };
+  static constexpr std::uint16_t sequences = 0;
+  static constexpr std::uint16_t choices = 1;
+  static constexpr std::uint16_t matrices = 2;
+  static constexpr std::uint16_t reading = 3;
 };
 
 }  // namespace shapes

@@ -77,26 +77,20 @@ void reserve(const RecorderSaidPayload*, std::int32_t& /*value*/, Large& value2)
 
 /// Numbers the commands of Recorder.
 struct RecorderCommand {
-  enum : std::uint16_t {
-    keep,
-    rename,
-    kept,
-  };
+  static constexpr std::uint16_t keep = 0;
+  static constexpr std::uint16_t rename = 1;
+  static constexpr std::uint16_t kept = 2;
 };
 
 /// Numbers the events of Recorder.
 struct RecorderEvent {
-  enum : std::uint16_t {
-    heard,
-    said,
-  };
+  static constexpr std::uint16_t heard = 0;
+  static constexpr std::uint16_t said = 1;
 };
 
 /// Numbers the reads of Recorder as a row of the state has them.
 struct RecorderColumn {
-  enum : std::uint16_t {
-    kept,
-  };
+  static constexpr std::uint16_t kept = 0;
 };
 
 }  // namespace shapes

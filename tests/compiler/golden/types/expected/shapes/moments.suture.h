@@ -83,30 +83,24 @@ void shiftStamps(JournalChangedPayload& slot, suture::Duration shift);
 
 /// Numbers the commands of Journal.
 struct JournalCommand {
-  enum : std::uint16_t {
-    put,
-    count,
-    latest,
-    moments,
-    find,
-  };
+  static constexpr std::uint16_t put = 0;
+  static constexpr std::uint16_t count = 1;
+  static constexpr std::uint16_t latest = 2;
+  static constexpr std::uint16_t moments = 3;
+  static constexpr std::uint16_t find = 4;
 };
 
 /// Numbers the events of Journal.
 struct JournalEvent {
-  enum : std::uint16_t {
-    added,
-    changed,
-    counted,
-  };
+  static constexpr std::uint16_t added = 0;
+  static constexpr std::uint16_t changed = 1;
+  static constexpr std::uint16_t counted = 2;
 };
 
 /// Numbers the reads of Journal as a row of the state has them.
 struct JournalColumn {
-  enum : std::uint16_t {
-    latest,
-    moments,
-  };
+  static constexpr std::uint16_t latest = 0;
+  static constexpr std::uint16_t moments = 1;
 };
 
 }  // namespace shapes

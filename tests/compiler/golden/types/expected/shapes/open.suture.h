@@ -109,29 +109,23 @@ void load(const ArchiveGrownPayload& slot, std::string& value, Root& value2);
 
 /// Numbers the commands of Archive.
 struct ArchiveCommand {
-  enum : std::uint16_t {
-    put,
-    remark,
-    newest,
-    find,
-    replace,
-  };
+  static constexpr std::uint16_t put = 0;
+  static constexpr std::uint16_t remark = 1;
+  static constexpr std::uint16_t newest = 2;
+  static constexpr std::uint16_t find = 3;
+  static constexpr std::uint16_t replace = 4;
 };
 
 /// Numbers the events of Archive.
 struct ArchiveEvent {
-  enum : std::uint16_t {
-    renamed,
-    grown,
-    changed,
-  };
+  static constexpr std::uint16_t renamed = 0;
+  static constexpr std::uint16_t grown = 1;
+  static constexpr std::uint16_t changed = 2;
 };
 
 /// Numbers the reads of Archive as a row of the state has them.
 struct ArchiveColumn {
-  enum : std::uint16_t {
-    newest,
-  };
+  static constexpr std::uint16_t newest = 0;
 };
 
 }  // namespace shapes
