@@ -44,7 +44,7 @@ model::Diagnostics check(const model::Model& model) {
     checkNumbers(header, findings);
     checkInitialisers(header, lookup, findings);
     checkQueues(header, findings);
-    checkContracts(header, findings);
+    checkContracts(header, lookup, findings);
     checkLifecycles(header, lookup, findings);
     checkCrtk(header, lookup, findings);
     checkComponents(header, findings);

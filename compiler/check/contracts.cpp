@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "compiler/check/rules.h"
+#include "compiler/model/generated_names.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::check {
@@ -15,11 +18,16 @@ constexpr std::array<std::string_view, 7> kTakenFromCommands{"on",      "Events"
                                                              "EventId", "events_", "Required"};
 constexpr std::array<std::string_view, 3> kTakenFromEvents{"Events", "provided", "required"};
 
+/// `numbers` are the structs that have a member for each declaration of that kind.
 template <std::size_t N>
 void checkName(const std::string& what, const std::string& name,
-               const std::array<std::string_view, N>& taken, const model::Source& source,
+               const std::array<std::string_view, N>& taken,
+               const std::vector<std::string>& numbers, const model::Source& source,
                model::Diagnostics& findings) {
-  if (std::find(taken.begin(), taken.end(), name) == taken.end()) return;
+  const auto isIn = [&](const auto& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (!isIn(taken) && !isIn(numbers)) return;
   addError(findings, source, "taken-name",
            what + " '" + name + "' has a name that generated code needs for itself",
            "call it otherwise");
@@ -52,25 +60,32 @@ void checkCommand(const model::Command& command, model::Diagnostics& findings) {
   }
 }
 
-void checkInterface(const model::Interface& interface, model::Diagnostics& findings) {
+void checkInterface(const model::Interface& interface, const model::Lookup& lookup,
+                    model::Diagnostics& findings) {
   const std::string name = "contract '" + model::unqualified(interface.name) + "'";
   if (interface.version == 0) {
     addError(findings, interface.source, "version-range", name + " has version(0)",
              "versions count from 1");
   }
+  const std::string prefix = model::unqualified(model::generatedName(interface.name, lookup));
   for (const model::Command& command : interface.commands) {
-    checkName("command", command.name, kTakenFromCommands, command.source, findings);
+    std::vector<std::string> numbers{prefix + "Command"};
+    if (command.kind == CommandKind::Read) numbers.push_back(prefix + "Column");
+    checkName("command", command.name, kTakenFromCommands, numbers, command.source, findings);
     checkCommand(command, findings);
   }
   for (const model::Event& event : interface.events) {
-    checkName("event", event.name, kTakenFromEvents, event.source, findings);
+    checkName("event", event.name, kTakenFromEvents, {prefix + "Event"}, event.source, findings);
   }
 }
 
 }  // namespace
 
-void checkContracts(const model::Header& header, model::Diagnostics& findings) {
-  for (const model::Interface& interface : header.interfaces) checkInterface(interface, findings);
+void checkContracts(const model::Header& header, const model::Lookup& lookup,
+                    model::Diagnostics& findings) {
+  for (const model::Interface& interface : header.interfaces) {
+    checkInterface(interface, lookup, findings);
+  }
 }
 
 }  // namespace suture::compiler::check

@@ -42,7 +42,8 @@ void checkQueues(const model::Header& header, model::Diagnostics& findings);
 
 /// Checks contracts as wholes: their versions and deadlines, what an annotation means for a kind of
 /// command, and names that generated code needs for itself.
-void checkContracts(const model::Header& header, model::Diagnostics& findings);
+void checkContracts(const model::Header& header, const model::Lookup& lookup,
+                    model::Diagnostics& findings);
 
 /// Checks that no contract has more reads or events than a connection can tell apart, with what it
 /// inherits.

@@ -10,15 +10,16 @@ namespace suture::compiler::emit {
 namespace {
 
 /// Names a parameter's value within store(), which must still be able to call itself.
-std::string valueName(const model::Parameter& parameter) {
-  return parameter.name == "store" ? "store_" : parameter.name;
+std::string valueName(const model::Command& command, const model::Parameter& parameter) {
+  return parameter.name == "store" ? freeName("store", command.parameters) : parameter.name;
 }
 
 /// Returns "const PoseStamped& goal, const double& time, ".
 std::string parameterList(const model::Command& command, const std::string& home) {
   std::string text;
   for (const model::Parameter& parameter : command.parameters) {
-    text += "const " + cxxType(parameter.type, home) + "& " + valueName(parameter) + ", " + kBreak;
+    text += "const " + cxxType(parameter.type, home) + "& " + valueName(command, parameter) + ", " +
+            kBreak;
   }
   return text;
 }
@@ -38,13 +39,7 @@ void emitStruct(Code& code, const Context& context, const model::Command& comman
 }
 
 /// Names the slot within store() as no parameter of the command is named.
-std::string slotName(const model::Command& command) {
-  std::string name = "slot";
-  for (const model::Parameter& parameter : command.parameters) {
-    if (parameter.name == name) name = "arguments_";
-  }
-  return name;
-}
+std::string slotName(const model::Command& command) { return freeName("slot", command.parameters); }
 
 std::string storeSignature(const Context& context, const model::Command& command,
                            const std::string& slot) {
@@ -57,7 +52,8 @@ void emitStore(Code& code, const Context& context, const model::Command& command
   std::string call;
   for (const model::Parameter& parameter : command.parameters) {
     if (!call.empty()) call += std::string(" && ") + kBreak;
-    call += "store(" + valueName(parameter) + ", " + slotName(command) + "." + parameter.name + ")";
+    call += "store(" + valueName(command, parameter) + ", " + slotName(command) + "." +
+            parameter.name + ")";
   }
   code.function(storeSignature(context, command, slot), "return " + call + ";").blank();
 }

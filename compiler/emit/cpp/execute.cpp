@@ -8,14 +8,15 @@ namespace {
 
 /// Returns "implementation.servo_cp(scratch.servo_cp_goal)". A command that shares its name with
 /// other member functions is called by its pointer, since C++ might choose another of them.
-std::string call(const model::Interface& interface, const model::Command& command) {
+std::string call(const model::Interface& interface, const model::Command& command,
+                 const MemberNames& names) {
   std::string arguments;
   for (const model::Parameter& parameter : command.parameters) {
     if (!arguments.empty()) arguments += std::string(", ") + kBreak;
     arguments += "scratch." + scratchName(interface, command, parameter);
   }
   const std::string method = command.isOverloaded
-                                 ? "(implementation.*" + methodPointer(command) + ")"
+                                 ? "(implementation.*" + methodPointer(command, names) + ")"
                                  : "implementation." + command.name;
   return method + "(" + arguments + ")";
 }
@@ -36,7 +37,7 @@ std::string listed(const model::Command& command, const Needs& needs) {
 
 /// Emits the function that runs one command, so that a stack names it.
 void emitFunction(Code& code, const Context& context, const model::Interface& interface,
-                  const model::Command& command) {
+                  const model::Command& command, const MemberNames& names) {
   code.open("static Errc execute_", command.name, "(", kBreakText,
             listed(command, {"Contract& implementation", "Scratch& scratch",
                              "const std::byte* arguments", "std::byte* result"}),
@@ -53,10 +54,10 @@ void emitFunction(Code& code, const Context& context, const model::Interface& in
     const std::string answer = command.parameters.empty() ? "slot" : "answer";
     code.line("auto& ", answer, " = ", kBreakText, "newSlot<",
               slotType(*command.result, context, "suture"), ">(result);");
-    code.line("return store(", call(interface, command), ", ", kBreakText, answer, ") ", kBreakText,
-              "? Errc{} : Errc::TooLarge;");
+    code.line("return store(", call(interface, command, names), ", ", kBreakText, answer, ") ",
+              kBreakText, "? Errc{} : Errc::TooLarge;");
   } else {
-    code.line(call(interface, command), ";").line("return Errc{};");
+    code.line(call(interface, command, names), ";").line("return Errc{};");
   }
   code.close("}");
 }
@@ -65,10 +66,11 @@ void emitFunctions(Code& code, const Context& context, const model::Interface& i
   code.line("// A function for each command of ", interface.name,
             ", so that a stack in a debugger names it.");
   code.open("struct Provided<", rooted(interface.name), ">::Dispatch {");
+  const MemberNames names(interface);
   bool first = true;
   for (const model::Command* const command : ownCommands(interface)) {
     if (!std::exchange(first, false)) code.blank();
-    emitFunction(code, context, interface, *command);
+    emitFunction(code, context, interface, *command, names);
   }
   code.close("};").blank();
 }

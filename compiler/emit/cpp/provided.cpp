@@ -1,4 +1,5 @@
 #include "compiler/emit/text/contract.h"
+#include "compiler/emit/text/member_names.h"
 #include "compiler/emit/text/parts.h"
 
 namespace suture::compiler::emit {
@@ -6,13 +7,16 @@ namespace {
 
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
   const std::string base = baseClass("Provided", interface);
+  const MemberNames names(interface);
   code.blank().line("/// Emits the events of ", interface.name, ".");
   emitEventsHead(code, interface, base);
-  emitEventConstructor(code, interface, base, "ProvidedBase& provided", "provided");
+  emitEventConstructor(code, interface, base, names.spell("ProvidedBase") + "& provided",
+                       "provided");
   code.blank();
   for (const model::Event* const event : ownEvents(interface)) {
     code.doc(event->doc.text);
-    code.line("Emitter<", eventArguments(context, interface, *event), "> ", event->name, ";");
+    code.line(names.spell("Emitter"), "<", eventArguments(context, interface, *event, names), "> ",
+              event->name, ";");
   }
   code.close("};").line("Events& emit() { return events_; }");
 }

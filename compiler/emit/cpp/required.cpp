@@ -2,6 +2,7 @@
 
 #include "compiler/emit/text/call_words.h"
 #include "compiler/emit/text/contract.h"
+#include "compiler/emit/text/member_names.h"
 #include "compiler/emit/text/parts.h"
 #include "compiler/lock/schema/wire_type.h"
 
@@ -14,28 +15,29 @@ using model::CommandKind;
 constexpr char kHome[] = "suture";
 
 std::string argumentsSlot(const Context& context, const model::Interface& interface,
-                          const model::Command& command) {
-  return command.parameters.empty() ? "NoSlot"
+                          const model::Command& command, const MemberNames& names) {
+  return command.parameters.empty() ? names.spell("NoSlot")
                                     : rooted(argumentsStruct(interface, command, context));
 }
 
 /// Returns "ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot>".
 std::string memberType(const Context& context, const model::Interface& interface,
-                       const model::Command& command) {
-  const std::string method = methodPointer(command);
-  const auto result = [&] { return slotType(*command.result, context, kHome); };
+                       const model::Command& command, const MemberNames& names) {
+  const std::string method = methodPointer(command, names);
+  const auto arguments = [&] { return argumentsSlot(context, interface, command, names); };
+  const auto result = [&] { return names.spell(slotType(*command.result, context, kHome)); };
+  const auto member = [&](const char* name, const std::string& slots) {
+    return names.spell(name) + "<" + method + ", " + kBreak + slots + ">";
+  };
   switch (command.kind) {
     case CommandKind::Void:
-    case CommandKind::Write:
-      return "Command<" + method + ", " + kBreak + argumentsSlot(context, interface, command) + ">";
-    case CommandKind::Read: return "ReadCommand<" + method + ", " + kBreak + result() + ">";
+    case CommandKind::Write: return member("Command", arguments());
+    case CommandKind::Read: return member("ReadCommand", result());
     case CommandKind::QualifiedRead:
-      return "QualifiedReadCommand<" + method + ", " + kBreak +
-             argumentsSlot(context, interface, command) + ", " + kBreak + result() + ">";
+      return member("QualifiedReadCommand", arguments() + ", " + kBreak + result());
     case CommandKind::VoidReturn:
     case CommandKind::WriteReturn:
-      return "ReturningCommand<" + method + ", " + kBreak +
-             argumentsSlot(context, interface, command) + ", " + kBreak + result() + ">";
+      return member("ReturningCommand", arguments() + ", " + kBreak + result());
   }
   return "";
 }
@@ -72,45 +74,46 @@ void withoutWarning(Code& code, const std::vector<const Member*>& members,
   if (quiet) code.verbatim("#pragma GCC diagnostic pop\n");
 }
 
-void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
+void emitEvents(Code& code, const Context& context, const model::Interface& interface,
+                const MemberNames& names) {
   const std::string base = baseClass("Required", interface);
   code.blank().line("/// Subscribes to the events of ", interface.name, ".");
   emitEventsHead(code, interface, base);
   withoutWarning(code, ownEvents(interface), [&] {
-    emitEventConstructor(code, interface, base, "RequiredBase& required", "required");
+    emitEventConstructor(code, interface, base, names.spell("RequiredBase") + "& required",
+                         "required");
   });
   code.blank();
   for (const model::Event* const event : ownEvents(interface)) {
     code.doc(event->doc.text).remark(deliveryWords(*event));
     emitDeprecation(code, event);
-    code.line("Subscription<", eventArguments(context, interface, *event), "> ", event->name, ";");
+    code.line(names.spell("Subscription"), "<", eventArguments(context, interface, *event, names),
+              "> ", event->name, ";");
   }
   code.close("};").line("Events& on() { return events_; }");
 }
 
-/// Returns a name for a parameter that hides no command.
-std::string freeName(std::string name, const model::Interface& interface) {
-  const auto& all = interface.commands;
-  const auto isTaken = [&](const model::Command& command) { return command.name == name; };
-  while (std::any_of(all.begin(), all.end(), isTaken)) name += "Given";
-  return name;
+void emitConstructor(Code& code, const model::Interface& interface, const MemberNames& names) {
+  const std::string owner = freeName("owner", interface.commands),
+                    name = freeName("name", interface.commands);
+  code.line("Required(", names.spell("Component"), "& ", owner, ", std::string_view ", name, ")");
+  code.line("    : Required(", owner, ", ", name, ", ", names.spell("interfaceInfo"),
+            "<Contract>()) {}");
+  code.blank();
 }
 
-void emitConstructor(Code& code, const model::Interface& interface) {
-  const std::string owner = freeName("owner", interface), name = freeName("name", interface);
-  code.line("Required(Component& ", owner, ", std::string_view ", name, ")");
-  code.line("    : Required(", owner, ", ", name, ", interfaceInfo<Contract>()) {}").blank();
-}
-
-void emitProtectedConstructor(Code& code, const model::Interface& interface) {
-  const std::string owner = freeName("owner", interface), name = freeName("name", interface),
-                    info = freeName("info", interface);
+void emitProtectedConstructor(Code& code, const model::Interface& interface,
+                              const MemberNames& names) {
+  const std::string owner = freeName("owner", interface.commands),
+                    name = freeName("name", interface.commands),
+                    info = freeName("info", interface.commands);
   code.blank().label("protected:").line("// For contracts that derive from this one.");
   withoutWarning(code, ownCommands(interface), [&] {
-    code.line("Required(Component& ", owner, ", ", kBreakText, "std::string_view ", name, ", ",
-              kBreakText, "const InterfaceInfo& ", info, ")");
-    code.line("    : ", baseClass("Required", interface), "(", owner, ", ", name, ", ", info,
-              ") {}");
+    code.line("Required(", names.spell("Component"), "& ", owner, ", ", kBreakText,
+              "std::string_view ", name, ", ", kBreakText, "const ", names.spell("InterfaceInfo"),
+              "& ", info, ")");
+    code.line("    : ", names.spell(baseClass("Required", interface)), "(", owner, ", ", name, ", ",
+              info, ") {}");
   });
 }
 
@@ -123,16 +126,17 @@ void emitRequired(Code& code, const Context& context, const model::Interface& in
   code.line("using Contract = ", rooted(interface.name), ";");
   emitNumberAliases(code, context, interface);
   code.blank().label("public:");
-  emitConstructor(code, interface);
+  const MemberNames names(interface);
+  emitConstructor(code, interface, names);
   for (const model::Command* const command : ownCommands(interface)) {
     code.doc(command->doc.text).remark(wayOf(*command));
     emitDeprecation(code, command);
-    code.line(memberType(context, interface, *command), " ", command->name, "{", kBreakText,
+    code.line(memberType(context, interface, *command, names), " ", command->name, "{", kBreakText,
               "*this, Id::", command->name, "};");
   }
   const bool events = !ownEvents(interface).empty();
-  if (events) emitEvents(code, context, interface);
-  emitProtectedConstructor(code, interface);
+  if (events) emitEvents(code, context, interface, names);
+  emitProtectedConstructor(code, interface, names);
   if (events) code.blank().label("private:").line("Events events_{*this};");
   code.close("};").blank();
 }

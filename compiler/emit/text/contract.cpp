@@ -11,11 +11,11 @@
 namespace suture::compiler::emit {
 
 std::string eventArguments(const Context& context, const model::Interface& interface,
-                           const model::Event& event) {
+                           const model::Event& event, const MemberNames& names) {
   if (event.payload.empty()) return "void";
-  std::string text = payloadSlot(interface, event, context, "suture");
+  std::string text = names.spell(payloadSlot(interface, event, context, "suture"));
   for (const model::Type& type : event.payload) {
-    text += std::string(", ") + kBreak + cxxType(type, "suture");
+    text += std::string(", ") + kBreak + names.spell(cxxType(type, "suture"));
   }
   return text;
 }
@@ -198,11 +198,11 @@ std::string scratchName(const model::Interface& interface, const model::Command&
   return name;
 }
 
-std::string methodPointer(const model::Command& command) {
+std::string methodPointer(const model::Command& command, const MemberNames& names) {
   const std::string plain = "&Contract::" + command.name;
   if (!command.isOverloaded) return plain;
-  const auto spelled = [](const model::Type& type, bool byReference) {
-    const std::string text = cxxType(type, "suture");
+  const auto spelled = [&](const model::Type& type, bool byReference) {
+    const std::string text = names.spell(cxxType(type, "suture"));
     return byReference ? "const " + text + "&" : text;
   };
   std::string parameters;

@@ -1,11 +1,13 @@
 #pragma once
 // Required, Provided and the tables of a contract share this spelling.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "compiler/emit/text/code.h"
 #include "compiler/emit/text/context.h"
+#include "compiler/emit/text/member_names.h"
 
 namespace suture::compiler::emit {
 
@@ -15,7 +17,7 @@ inline constexpr char kBreakText[] = {kBreak, '\0'};
 /// Returns the template arguments of an Emitter or Subscription: "robots::PoseStampedSlot,
 /// robots::PoseStamped".
 std::string eventArguments(const Context& context, const model::Interface& interface,
-                           const model::Event& event);
+                           const model::Event& event, const MemberNames& names);
 
 /// Returns "Required<robots::Arm>" for "Required" and a contract that derives from Arm;
 /// "RequiredBase" where it derives from none.
@@ -75,12 +77,20 @@ std::vector<Argument> reservedArguments(const model::Interface& interface,
 /// Returns a parameter's name, in a comment where nothing uses it.
 std::string named(const char* name, bool used);
 
+/// Returns a name for a parameter that is the name of none of the declarations.
+template <class Declaration>
+std::string freeName(std::string name, const std::vector<Declaration>& declarations) {
+  const auto isTaken = [&](const Declaration& one) { return one.name == name; };
+  while (std::any_of(declarations.begin(), declarations.end(), isTaken)) name += "Given";
+  return name;
+}
+
 /// Returns "servo_cp_goal", or if another command that the contract declares has a parameter which
 /// reads so, "servo_cp_goal_of_servo_cp".
 std::string scratchName(const model::Interface& interface, const model::Command& command,
                         const model::Parameter& parameter);
 
 /// Returns "&Contract::servo_cp", with its type if the contract has other methods of that name.
-std::string methodPointer(const model::Command& command);
+std::string methodPointer(const model::Command& command, const MemberNames& names);
 
 }  // namespace suture::compiler::emit

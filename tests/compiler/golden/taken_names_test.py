@@ -1,6 +1,6 @@
 """What is generated compiles whatever its header calls its commands, events and parameters.
 
-They have names here that functions, types and namespaces of the header have.
+They have names here that generated code uses itself, or that functions, types and namespaces of the header have.
 """
 
 import sys
@@ -38,5 +38,51 @@ class SUTURE_INTERFACE() Arm {
 }  // namespace beside
 """
 
+SCOPE = """\
+#pragma once
+#include <suture/annotate.h>
+#include <string>
+
+namespace scope {
+
+class SUTURE_INTERFACE() Words {
+ public:
+  virtual ~Words() = default;
+  SUTURE_COMMAND() virtual void Command() = 0;
+  SUTURE_COMMAND() virtual int ReadCommand() const = 0;
+  SUTURE_COMMAND() virtual int QualifiedReadCommand(int depth) const = 0;
+  SUTURE_COMMAND() virtual int ReturningCommand(int depth) = 0;
+  SUTURE_COMMAND() virtual void NoSlot() = 0;
+  SUTURE_COMMAND() virtual void Component() = 0;
+  SUTURE_COMMAND() virtual void RequiredBase() = 0;
+  SUTURE_COMMAND() virtual void interfaceInfo() = 0;
+  SUTURE_COMMAND() virtual void Subscription() = 0;
+  SUTURE_COMMAND() virtual void Provided() = 0;
+  SUTURE_COMMAND() virtual void scope() = 0;
+  SUTURE_COMMAND() virtual void execute() = 0;
+  SUTURE_COMMAND() virtual void Errc() = 0;
+  SUTURE_COMMAND() virtual void Dispatch() = 0;
+  SUTURE_COMMAND() virtual void Scratch(double scratch) = 0;
+  SUTURE_COMMAND() virtual double stop(int arguments_, int slot) = 0;
+  SUTURE_COMMAND() virtual void hold(int slot, SUTURE_FIELD(name("other")) int slot_, int store) = 0;
+  SUTURE_EVENT() suture::EventOf<int> moved;
+};
+
+class SUTURE_INTERFACE() News : public Words {
+ public:
+  SUTURE_COMMAND(name("info")) virtual int InterfaceInfo() const = 0;
+  SUTURE_COMMAND() virtual int level() const = 0;
+  SUTURE_EVENT() suture::EventOf<int> Subscription;
+  SUTURE_EVENT() suture::EventOf<> Emitter;
+  SUTURE_EVENT() suture::EventOf<int> RequiredBase;
+  SUTURE_EVENT() suture::EventOf<int, std::int32_t> ProvidedBase;
+  SUTURE_EVENT() suture::EventOf<int> EventId;
+  SUTURE_EVENT() suture::EventOf<int> scope;
+  SUTURE_EVENT() suture::EventOf<int> last;
+};
+
+}  // namespace scope
+"""
+
 if __name__ == "__main__":
-    sys.exit(compiled.main({"beside.h": BESIDE}))
+    sys.exit(compiled.main({"beside.h": BESIDE, "scope.h": SCOPE}))

@@ -28,10 +28,10 @@ void load(const GripperGrippedPayload& slot, double& value, bool& value2) {
 
 bool store(const std::int32_t& name, NamesQueueArguments& slot) { return store(name, slot.name); }
 
-bool store(const double& range, const double& slot, const double& store_,
-           NamesNameArguments& arguments_) {
-  return store(range, arguments_.range) && store(slot, arguments_.slot) &&
-      store(store_, arguments_.store);
+bool store(const double& range, const double& slot, const double& storeGiven,
+           NamesNameArguments& slotGiven) {
+  return store(range, slotGiven.range) && store(slot, slotGiven.slot) &&
+      store(storeGiven, slotGiven.store);
 }
 
 // Defined in robots/gripper.wire.cpp.

@@ -75,8 +75,8 @@ struct NamesNameArguments {
   double store;
 };
 
-bool store(const double& range, const double& slot, const double& store_,
-           NamesNameArguments& arguments_);
+bool store(const double& range, const double& slot, const double& storeGiven,
+           NamesNameArguments& slotGiven);
 
 /// Numbers the commands of Names.
 struct NamesCommand {
