@@ -3,10 +3,11 @@
 // may have them.
 
 #include "compiler/frontend/types/mapping.h"
+#include "compiler/model/model.h"
 
 namespace suture::compiler::frontend {
 
-/// Reports what the namespace of an annotated declaration holds under such a name.
-void checkGeneratedNames(const clang::TagDecl* declaration, Kind kind, Mapping& mapping);
+/// Reports what the namespaces of our headers hold under such a name.
+void checkGeneratedNames(const model::Model& model, Mapping& mapping);
 
 }  // namespace suture::compiler::frontend

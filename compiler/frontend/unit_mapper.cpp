@@ -188,7 +188,6 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
 
   void add(clang::TagDecl* tag, Kind kind) {
     model::Header& header = headers_.of(tag);
-    if (header.own) checkGeneratedNames(tag, kind, mapping_);
     if (kind == Kind::Type) return addType(tag);
     noteDeprecation(tag, header);
     if (kind == Kind::Interface) {
@@ -344,6 +343,7 @@ model::Model mapUnit(clang::Sema& semantics, const Includes& includes, HeaderTab
   reportUnseen(uses, mapping);
   model::Model result{headers.take(), macrosOf(semantics.getPreprocessor())};
   addInherited(result);
+  checkGeneratedNames(result, mapping);
   addImports(result);
   return result;
 }
