@@ -1,6 +1,7 @@
 #include "compiler/emit/cpp/validity.h"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 
 #include "compiler/emit/text/contract.h"
@@ -81,9 +82,14 @@ bool isChecked(const Type& type) {
   return std::any_of(type.element.begin(), type.element.end(), isChecked);
 }
 
-/// Returns the nanoseconds that the C++ type of a duration can count, if its slot holds more.
-Range countedNanoseconds(const Type& type) {
-  if (type.shape != Shape::Duration || isReal(type.scalar)) return std::nullopt;
+/// Returns what the C++ type of a duration can count, as its slot does, if that holds more: a float
+/// in its own unit, an integer in nanoseconds.
+Range countedInSlot(const Type& type) {
+  if (type.shape != Shape::Duration || type.scalar == model::Scalar::Float64) return std::nullopt;
+  if (type.scalar == model::Scalar::Float32) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    return std::pair{-kLargest, kLargest};
+  }
   const double tick =
       1e9 * static_cast<double>(type.periodNumerator) / static_cast<double>(type.periodDenominator);
   const auto [lowest, highest] = limitsOf(type.scalar);
@@ -96,7 +102,7 @@ Range countedNanoseconds(const Type& type) {
 /// have, which the runtime's isValid() cannot know: the enum does not declare it, or the duration
 /// cannot count so far.
 bool isNarrower(const Type& type) {
-  return type.shape == Shape::Enum || countedNanoseconds(type).has_value() ||
+  return type.shape == Shape::Enum || countedInSlot(type).has_value() ||
          std::any_of(type.element.begin(), type.element.end(), isNarrower);
 }
 
@@ -140,9 +146,11 @@ std::string eachCondition(const char* function, const Type& type, const std::str
   return function + ("(" + slot) + ", path" + checks + ")";
 }
 
-/// Returns the condition of a duration, which has no range() of its own.
-std::string durationCondition(const Type& type, const std::string& slot) {
-  if (const Range counted = countedNanoseconds(type)) return within(slot, counted);
+/// Returns the condition of a duration, which has no range() of its own, but may be infinite where
+/// it is by default.
+std::string durationCondition(const Type& type, const std::string& slot, const Range& range) {
+  if (range) return within(slot, range);
+  if (const Range counted = countedInSlot(type)) return within(slot, counted);
   return isChecked(type) ? "isValid(" + slot + ")" : "";
 }
 
@@ -165,7 +173,7 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
       if (type.scalar == model::Scalar::Bool) return "";
       if (range) return within(slot, range);
       return isReal(type.scalar) ? "isValid(" + slot + ")" : "";
-    case Shape::Duration: return durationCondition(type, slot);
+    case Shape::Duration: return durationCondition(type, slot, range);
     case Shape::Struct: return "isValid(" + slot + ", path)";
     case Shape::Enum: return enumCheck(type.name, context) + "(" + slot + ")";
     case Shape::Text:

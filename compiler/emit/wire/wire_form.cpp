@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "compiler/emit/text/contract.h"
+#include "compiler/lock/contract_node.h"
 #include "compiler/lock/schema/composites.h"
 #include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
@@ -237,6 +238,29 @@ std::optional<std::pair<double, double>> admitted(const model::Field& field) {
   return std::pair{-kInfinity, kInfinity};
 }
 
+/// Tells if an enum has a zero that is not the one on the wire, the enumerator which the lock has
+/// first.
+bool hasOtherZero(const model::Enum& type, const Context& context) {
+  const auto zero = std::find_if(type.enumerators.begin(), type.enumerators.end(),
+                                 [](const model::Enumerator& one) { return one.value == 0; });
+  if (zero == type.enumerators.end()) return false;
+  const std::string path = lock::lockPath(context.lookup.headerOf(type.name)->path);
+  return lock::nodeOf(context.schemas.at(path), "cxx", type.name)->members.front().name !=
+         zero->wireName;
+}
+
+/// Tells if C++ makes of nothing another value than a message in which nothing was sent.
+bool readsOtherwise(const Type& type, const Context& context) {
+  const auto reads = [&](const Type& element) { return readsOtherwise(element, context); };
+  switch (type.shape) {
+    case Shape::Enum: return hasOtherZero(*context.lookup.findEnum(type.name), context);
+    case Shape::Array:
+    case Shape::Tuple: return std::any_of(type.element.begin(), type.element.end(), reads);
+    case Shape::Variant: return reads(type.element.front());
+    default: return false;
+  }
+}
+
 }  // namespace
 
 std::vector<WireValue> fieldValues(const model::Struct& type, const Context& context) {
@@ -244,7 +268,8 @@ std::vector<WireValue> fieldValues(const model::Struct& type, const Context& con
   const std::string fresh = relative(type.name, home) + "()";
   std::vector<WireValue> values;
   for (const model::Field& field : type.fields) {
-    const bool preset = field.isPreset && canBeMissing(field.type);
+    const bool preset =
+        canBeMissing(field.type) && (field.isPreset || readsOtherwise(field.type, context));
     values.push_back({.type = field.type,
                       .wireName = field.wireName,
                       .slot = "slot." + field.name,

@@ -30,6 +30,11 @@ ADDED = [
     ("noLowerLimit", "float {} = -std::numeric_limits<float>::infinity()", "-inf"),
     ("mode", "Mode {} = Mode::On", "On"),
     ("plainMode", "Mode {}", "Off"),
+    ("plainGear", "Gear {}{{}}", "Off"),
+    ("gears", "std::array<Gear, 2> {}{{}}", "[Off,Off]"),
+    ("gearOfTwo", "std::pair<Gear, double> {}", "(Off,0)"),
+    ("gearOrNumber", "std::variant<Gear, double> {}", "0:Off"),
+    ("rowsOfGears", "std::array<std::tuple<double, Gear>, 2> {}", "[(0,Off),(0,Off)]"),
     ("text", 'SUTURE_FIELD(capacity(8)) std::string {} = "a"', "'a'"),
     ("plainText", "SUTURE_FIELD(capacity(8)) std::string {}", "''"),
     ("bytes", "SUTURE_FIELD(capacity(4)) std::vector<std::uint8_t> {} = {{1, 2}}", "[1,2]"),
@@ -62,6 +67,8 @@ ADDED = [
     ("emptyVariant", "std::variant<std::monostate, double> {}", "0:nothing"),
     ("duration", "std::chrono::milliseconds {}{{20}}", "20"),
     ("realDuration", "std::chrono::duration<double> {}{{0.5}}", "0.5"),
+    ("noEnd", "std::chrono::duration<double> {}{{std::numeric_limits<double>::infinity()}}", "inf"),
+    ("noEndInFloat", "std::chrono::duration<float, std::milli> {}{{-std::numeric_limits<float>::infinity()}}", "-inf"),
     ("plainDuration", "std::chrono::seconds {}", "0"),
     ("steady", "std::chrono::steady_clock::time_point {}", "0"),
     ("system", "std::chrono::system_clock::time_point {}", "0"),
@@ -135,6 +142,8 @@ class SUTURE_INTERFACE() Kinds {
 
 TYPES = """
 enum class SUTURE_TYPE() Mode { Off, On };
+/// Has its zero behind another.
+enum class SUTURE_TYPE() Gear { On = 1, Off = 0 };
 
 struct SUTURE_TYPE() Inner {
   std::int32_t a = 7;

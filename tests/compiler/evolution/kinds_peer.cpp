@@ -46,7 +46,8 @@ class Keeper final : public suture::Device, public Receiver {
 };
 
 void serve(const std::string& address) {
-  Keeper keeper;
+  // Members that nothing initialises are 0 in static memory, and in any other what it held.
+  static Keeper keeper;
   keep(address, "Keeper", keeper);
 }
 

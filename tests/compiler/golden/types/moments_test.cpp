@@ -4,6 +4,7 @@
 #include <suture/base/time.h>
 
 #include <cstring>
+#include <limits>
 
 #include "shapes/moments.suture.h"
 
@@ -68,6 +69,35 @@ TEST(Moments, AreShiftedInEveryContainer) {
   EXPECT_EQ(std::get<1>(value.entry), at(19));
   expectShifted(std::get<2>(value.entry), 13);
   expectShifted(std::get<Moment>(value.either), 14);
+}
+
+SpansSlot slotOf(const Spans& value) {
+  SpansSlot slot{};
+  EXPECT_TRUE(store(value, slot));
+  return slot;
+}
+
+TEST(Spans, AreInfiniteOnlyWhereTheyAreByDefault) {
+  EXPECT_TRUE(isValid(slotOf(Spans{}), nullptr));
+  Spans value;
+  value.endless = std::chrono::duration<double>(-std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(isValid(slotOf(value), nullptr));
+  value.brief = std::chrono::duration<float, std::milli>(std::numeric_limits<float>::infinity());
+  EXPECT_FALSE(isValid(slotOf(value), nullptr));
+}
+
+TEST(Spans, AreRefusedBeyondWhatTheirTypeCounts) {
+  Spans value;
+  value.brief = std::chrono::duration<float, std::milli>(std::numeric_limits<float>::max());
+  value.list = {std::chrono::duration<float>(-std::numeric_limits<float>::max())};
+  const SpansSlot largest = slotOf(value);
+  EXPECT_TRUE(isValid(largest, nullptr));
+  SpansSlot slot = largest;
+  slot.brief = 1e300;  // of a sender that counts in double
+  EXPECT_FALSE(isValid(slot, nullptr));
+  slot = largest;
+  slot.list.data[0] = -1e300;
+  EXPECT_FALSE(isValid(slot, nullptr));
 }
 
 TEST(Moments, AVariantsStampIsShifted) {

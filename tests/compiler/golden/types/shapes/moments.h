@@ -1,5 +1,6 @@
 #pragma once
-// These are points in time of a steady clock, wherever a type can hold them.
+// These are points in time of a steady clock, wherever a type can hold them, and how long something
+// lasts.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -7,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -33,6 +35,13 @@ struct SUTURE_TYPE() Moments {
   std::optional<Moment> moment;
   std::tuple<std::int64_t, suture::Time, Moment> entry;
   std::variant<std::int64_t, suture::Time, Moment> either;
+};
+
+/// Lasts as long as the types of C++ can count.
+struct SUTURE_TYPE() Spans {
+  std::chrono::duration<float, std::milli> brief{0};
+  std::chrono::duration<double> endless{std::numeric_limits<double>::infinity()};
+  SUTURE_FIELD(capacity(2)) std::vector<std::chrono::duration<float>> list;
 };
 
 /// Right in a contract: the arguments, the results and the payloads.

@@ -5,6 +5,7 @@
 #include <suture/base/slots/valid_values.h>
 #include <suture/wire/stamps.h>
 
+#include <limits>
 #include <type_traits>
 
 namespace shapes {
@@ -35,6 +36,10 @@ static_assert(std::is_same_v<decltype(Moments::entry),
                              std::tuple<std::int64_t, std::chrono::steady_clock::time_point, shapes::Moment>>);
 static_assert(std::is_same_v<decltype(Moments::either),
                              std::variant<std::int64_t, std::chrono::steady_clock::time_point, shapes::Moment>>);
+static_assert(std::is_same_v<decltype(Spans::brief),
+                             std::chrono::duration<float, std::ratio<1, 1000>>>);
+static_assert(std::is_same_v<decltype(Spans::endless), std::chrono::duration<double>>);
+static_assert(std::is_same_v<decltype(Spans::list), std::vector<std::chrono::duration<float>>>);
 
 }  // namespace
 
@@ -122,6 +127,24 @@ void shiftStamps(MomentsSlot& slot, suture::Duration shift) {
   }
 }
 
+bool store(const Spans& value, SpansSlot& slot) {
+  bool fits = true;
+  fits &= store(value.brief, slot.brief);
+  fits &= store(value.endless, slot.endless);
+  fits &= store(value.list, slot.list);
+  return fits;
+}
+
+void load(const SpansSlot& slot, Spans& value) {
+  load(slot.brief, value.brief);
+  load(slot.endless, value.endless);
+  load(slot.list, value.list);
+}
+
+void reserve(const SpansSlot*, Spans& value) {
+  suture::reserveFor<decltype(SpansSlot::list)>(value.list);
+}
+
 bool store(const std::chrono::steady_clock::time_point& from, const std::int64_t& number,
            JournalPutArguments& slot) {
   return store(from, slot.from) && store(number, slot.number);
@@ -165,6 +188,21 @@ bool isValid(const MomentsSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.moment, path)) return suture::refusedAt(path, "moment");
   if (!isValid(slot.entry, path)) return suture::refusedAt(path, "entry");
   return isValid(slot.either, path) || suture::refusedAt(path, "either");
+}
+
+bool isValid(const SpansSlot& slot, suture::FieldPath* path) {
+  if (!suture::inRange(slot.brief, -3.4028234663852886e+38, 3.4028234663852886e+38)) {
+    return suture::refusedAt(path, "brief");
+  }
+  if (!suture::inRange(slot.endless, -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity())) {
+    return suture::refusedAt(path, "endless");
+  }
+  if (!suture::allOf(slot.list, path, [](const double& element) {
+    return suture::inRange(element, -3.4028234663852886e+38, 3.4028234663852886e+38);
+  })) {
+    return suture::refusedAt(path, "list");
+  }
+  return true;
 }
 
 // Defined in shapes/moments.wire.cpp.

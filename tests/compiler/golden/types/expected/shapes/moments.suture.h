@@ -44,8 +44,20 @@ void load(const MomentsSlot& slot, Moments& value);
 void reserve(const MomentsSlot*, Moments& value);
 void shiftStamps(MomentsSlot& slot, suture::Duration shift);
 
+/// Lasts as long as the types of C++ can count.
+struct SpansSlot {
+  double brief;    // std::chrono::duration<float, std::ratio<1, 1000>>
+  double endless;  // std::chrono::duration<double>
+  suture::BoundedList<double, 2> list;
+};
+
+bool store(const Spans& value, SpansSlot& slot);
+void load(const SpansSlot& slot, Spans& value);
+void reserve(const SpansSlot*, Spans& value);
+
 bool isValid(const MomentSlot& slot, suture::FieldPath* path);
 bool isValid(const MomentsSlot& slot, suture::FieldPath* path);
+bool isValid(const SpansSlot& slot, suture::FieldPath* path);
 
 // --- Journal: the arguments of its commands ---
 
@@ -116,6 +128,11 @@ template <>
 Result<std::vector<std::byte>> encode(const shapes::Moments& value);
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Moments& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Spans& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Spans& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Journal>();

@@ -160,6 +160,18 @@ suture::Errc fromWire(wire::Moments::Reader in, MomentsSlot& slot, suture::Durat
   });
 }
 
+void toWire(const SpansSlot& slot, wire::Spans::Builder out) {
+  out.setBrief(slot.brief);
+  out.setEndless(slot.endless);
+  toWire(slot.list, out.initList(sizeOf(slot.list)));
+}
+
+suture::Errc fromWire(wire::Spans::Reader in, SpansSlot& slot, suture::Duration) {
+  slot.brief = in.getBrief();
+  slot.endless = in.getEndless();
+  return fromWire(in.getList(), slot.list);
+}
+
 // --- Journal as Cap'n Proto
 
 namespace {
@@ -376,6 +388,16 @@ Result<std::vector<std::byte>> encode(const shapes::Moments& value) {
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Moments& value) {
   return rpc::decodeAs<shapes::wire::Moments, shapes::MomentsSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Spans& value) {
+  return rpc::encodeAs<shapes::wire::Spans, shapes::SpansSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Spans& value) {
+  return rpc::decodeAs<shapes::wire::Spans, shapes::SpansSlot>(bytes, value);
 }
 
 }  // namespace suture
