@@ -38,17 +38,27 @@ class NumberRule {
   /// Reports a default out of range, because messages of senders that leave it, and of older ones,
   /// would be refused.
   void applyDefault(const model::Field& field) {
-    if (!hasKnownNumber(field) || !field.range || field.range->first > field.range->second) return;
-    const double value = defaultOf(field);
-    if (value >= boundOf(field, field.range->first) && value <= boundOf(field, field.range->second))
-      return;
-    addError(findings_, field.source, "default-range",
-             "field '" + field.name + "' is " + shown(value) + " by default, outside its range " +
-                 shown(field.range->first) + " to " + shown(field.range->second),
-             "give it a default within its range, or make it a std::optional");
+    if (!field.range || field.range->first > field.range->second) return;
+    for (const double value : field.defaultNumbers) {
+      if (applyDefault(field, "has", value)) return;
+    }
+    if (hasKnownNumber(field)) applyDefault(field, "is", defaultOf(field));
   }
 
  private:
+  /// Returns true after an error.
+  bool applyDefault(const model::Field& field, const char* verb, double value) {
+    const bool isWithin = value >= boundOf(field.type, field.range->first) &&
+                          value <= boundOf(field.type, field.range->second);
+    if (isWithin) return false;
+    addError(findings_, field.source, "default-range",
+             "field '" + field.name + "' " + verb + " " + shown(value) +
+                 " by default, outside its range " + shown(field.range->first) + " to " +
+                 shown(field.range->second),
+             "give it a default within its range, or make it a std::optional");
+    return true;
+  }
+
   /// Returns true for a number whose default was seen, and for several numbers that are all 0
   /// because no constructor or initialiser says anything else.
   static bool hasKnownNumber(const model::Field& field) {
@@ -61,10 +71,11 @@ class NumberRule {
     return fixed && !field.isPreset;
   }
 
-  /// Returns a bound as generated code compares the field with it: a float with the nearest float.
-  static double boundOf(const model::Field& field, double bound) {
-    const bool isFloat = field.type.shape == model::Type::Shape::Scalar &&
-                         field.type.scalar == model::Scalar::Float32;
+  /// Returns a bound as generated code compares a number with it: a float with the nearest float.
+  static double boundOf(const model::Type& type, double bound) {
+    if (!type.element.empty()) return boundOf(type.element.back(), bound);
+    const bool isFloat =
+        type.shape == model::Type::Shape::Scalar && type.scalar == model::Scalar::Float32;
     return isFloat ? static_cast<double>(static_cast<float>(bound)) : bound;
   }
 

@@ -197,6 +197,7 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   field.lifecycle = {annotation.since, annotation.deprecated};
   const Default standard = defaultOf(declaration, field.type);
   field.defaultJson = standard.json;
+  field.defaultNumbers = standard.numbers;
   field.isPreset = isPreset(declaration);
   if (candidate.isExternal) {
     if (isRaw(declaration, field.type)) field.unset.emplace();

@@ -51,6 +51,7 @@ struct Field {
   /// Is the initialiser as JSON where it is a constant of a number, enum, duration (seconds, exact)
   /// or string; "inf" and "-inf" are words; empty = zero.
   std::string defaultJson;
+  std::vector<double> defaultNumbers{};  ///< of several numbers, those that its initialiser has
   bool isPreset = false;         ///< its struct's constructor may give it more than its type would
   std::optional<Unset> unset{};  ///< a new value has whatever its memory held
   Lifecycle lifecycle;

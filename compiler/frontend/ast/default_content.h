@@ -5,8 +5,9 @@
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/Expr.h>
 
-#include <cstddef>
-#include <optional>
+#include <vector>
+
+#include "compiler/model/type.h"
 
 namespace suture::compiler::frontend {
 
@@ -14,8 +15,14 @@ namespace suture::compiler::frontend {
 /// none, or more than one.
 const clang::StringLiteral* literalIn(const clang::Expr* initialiser);
 
-/// Returns how many elements or bytes the initialiser spells out; none if that cannot be seen.
-std::optional<std::size_t> lengthOf(const clang::Expr* initialiser);
+/// Is what can be seen of an initialiser, at any depth of its type.
+struct DefaultContent {
+  std::vector<double> numbers;  ///< those to which a range() of the member applies
+  bool isTooLong = false;       ///< something has more elements or bytes than its capacity
+};
+
+DefaultContent contentOf(const clang::Expr* initialiser, const model::Type& type,
+                         const clang::ASTContext& context);
 
 /// Tells if a part of the initialiser is NaN, as far as the parts are constants.
 bool holdsNan(const clang::Expr* initialiser, const clang::ASTContext& context);

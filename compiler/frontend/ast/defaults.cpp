@@ -143,17 +143,21 @@ Default seenDefault(const clang::FieldDecl* field, const model::Type& type) {
   }
   if (isNumber(type)) return numberOf(initialiser, field, type);
   if (holdsNan(initialiser, field->getASTContext())) return {State::NotANumber};
-  if (type.capacity && lengthOf(initialiser).value_or(0) > *type.capacity) return {State::TooLong};
+  DefaultContent content = contentOf(initialiser, type, field->getASTContext());
+  if (content.isTooLong) return {State::TooLong};
   const clang::StringLiteral* const literal = literalIn(initialiser);
   const bool text = literal != nullptr && literal->getCharByteWidth() == 1;
-  return text ? Default{State::Constant, dumped(literal->getString().str())} : Default{};
+  if (text) return {State::Constant, dumped(literal->getString().str())};
+  return {.numbers = std::move(content.numbers)};
 }
 
 }  // namespace
 
 Default defaultOf(const clang::FieldDecl* field, const model::Type& type) {
   Default found = seenDefault(field, type);
-  if (isNumber(type) && mayBeAssigned(field)) found.state = State::Unseen;
+  if (!mayBeAssigned(field)) return found;
+  found.numbers.clear();
+  if (isNumber(type)) found.state = State::Unseen;
   return found;
 }
 

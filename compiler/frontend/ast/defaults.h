@@ -4,6 +4,7 @@
 #include <clang/AST/Decl.h>
 
 #include <string>
+#include <vector>
 
 #include "compiler/model/type.h"
 
@@ -25,6 +26,8 @@ struct Default {
   /// Is a number, an enumerator's name or a string; infinity is "inf" or "-inf", and a duration is
   /// its seconds, with as many digits as it takes.
   std::string json{};
+  /// Is what a member of several numbers certainly has among them.
+  std::vector<double> numbers{};
 };
 
 Default defaultOf(const clang::FieldDecl* field, const model::Type& type);

@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 namespace demo {
@@ -17,6 +19,26 @@ struct SUTURE_TYPE() Limits {
   SUTURE_FIELD(range(1, 2)) Eigen::Vector3d nowhere;
   SUTURE_FIELD(range(1, 2)) std::array<double, 2> ones{1, 1};
   SUTURE_FIELD(range(1, 2), capacity(4)) std::vector<double> none_at_all;
+};
+struct SUTURE_TYPE() Several {
+  SUTURE_FIELD(range(0, 1)) std::array<double, 2> array{5, 5};
+  SUTURE_FIELD(range(1, 2)) std::array<double, 2> rest{1};
+  SUTURE_FIELD(range(0, 1)) std::int32_t plain[3] = {1, 0, -1};
+  SUTURE_FIELD(range(0, 1)) std::array<std::array<float, 1>, 2> nested{{{1}, {2}}};
+  SUTURE_FIELD(range(0, 1), capacity(2)) std::vector<double> listed{0, 5};
+  SUTURE_FIELD(range(0, 1), capacity(2)) std::vector<double> repeated = std::vector<double>(2, 3.0);
+  SUTURE_FIELD(range(1, 2), capacity(2)) std::vector<double> counted = std::vector<double>(2);
+  SUTURE_FIELD(range(0, 1)) std::optional<double> chosen = 7;
+  SUTURE_FIELD(range(0, 1), capacity(2)) std::map<int, double> mapped{{1, 0.5}, {2, 1.5}};
+};
+struct SUTURE_TYPE() SeveralWithin {
+  SUTURE_FIELD(range(0, 1)) std::array<double, 2> array{1};
+  SUTURE_FIELD(range(0, 0.1)) std::array<float, 2> rounded{0.1F, 0.1F};
+  SUTURE_FIELD(range(0, 1), capacity(2)) std::vector<double> repeated = std::vector<double>(2, 1.0);
+  SUTURE_FIELD(range(1, 2), capacity(2)) std::vector<double> empty = std::vector<double>();
+  SUTURE_FIELD(range(1, 2)) std::optional<double> chosen = 1.5;
+  SUTURE_FIELD(range(1, 2)) std::optional<double> none = std::nullopt;
+  SUTURE_FIELD(range(0, 1), capacity(2)) std::map<int, double> mapped{{7, 0.5}, {9, 1}};
 };
 struct SUTURE_TYPE() FromTemplate {
   template <class T = double>
