@@ -72,7 +72,15 @@ MappedType mapTemplate(const Specialisation* type, const NamedTypes& names) {
     return TypeProblem{"template-type", "this instance of '" + plain + "' has no name of its own",
                        "name it for all to see: 'using My" + plain + " = " + plain + "<...>;'"};
   }
-  return noWireForm();
+  const bool isLibrarys = name.starts_with("std::") || name.starts_with("__gnu_cxx::");
+  if (isLibrarys) return noWireForm();
+  const std::string alias = "My" + pattern->getNameAsString();
+  return TypeProblem{
+      "template-type",
+      "no SUTURE_EXTERNAL_TYPE lists this instance of '" + pattern->getNameAsString() + "'",
+      "write 'using " + alias + " = " + name + "<...>;' and SUTURE_EXTERNAL_TYPE(" + alias +
+          "), or specialise suture::Wire",
+      pattern};
 }
 
 }  // namespace suture::compiler::frontend

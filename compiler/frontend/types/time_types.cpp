@@ -81,7 +81,9 @@ MappedType mapTimePoint(const Specialisation* type, const NamedTypes&) {
       duration->getTemplateArgs()[0].getAsType()->isSpecificBuiltinType(clang::BuiltinType::Long) &&
       ratioOf(duration->getTemplateArgs()[1]) == kNano;
   if (!known || !nanoseconds) {
-    return TypeProblem{"unsupported-stamp", "a stamp is a time_point of the steady or system clock",
+    return TypeProblem{"unsupported-stamp",
+                       known ? "a stamp counts nanoseconds in a std::int64_t"
+                             : "a stamp is a time_point of the steady or system clock",
                        "use suture::Time, or std::chrono::system_clock::time_point"};
   }
   return mapped;

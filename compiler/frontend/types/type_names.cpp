@@ -103,10 +103,13 @@ bool TypeNames::add(const clang::TagDecl* type, const NamedTypes::Entry& added, 
   const NamedTypes::Entry& entry = mapping_.names().add(type, added);
   if (entry.declaration == added.declaration) return true;
   if (isAlias && entry.name == added.name) return false;  // it is the same alias again
+  const bool again = entry.name == added.name;
   mapping_
       .error(added.declaration, "second-name",
-             "'" + added.name + "' is another name of what is '" + entry.name + "' already",
-             "one type has one name on the wire: keep one of the two")
+             again ? "'" + added.name + "' is listed already"
+                   : "'" + added.name + "' is another name of what is '" + entry.name + "' already",
+             again ? "say all of it in one SUTURE_EXTERNAL_TYPE"
+                   : "one type has one name on the wire: keep one of the two")
       .notes.push_back({mapping_.sourceOf(entry.declaration), "the first is here"});
   return false;
 }

@@ -30,6 +30,10 @@ struct Codes {
   std::map<char, int> names;
   std::vector<char> bytes;
 };
+struct Boxes {
+  Box<float> first;
+  std::vector<Box<int>> others;
+};
 }  // namespace lib
 namespace demo {
 struct SUTURE_TYPE() Ours {
@@ -46,4 +50,5 @@ SUTURE_EXTERNAL_TYPE(lib::Mode, name("Pace"));
 SUTURE_EXTERNAL_TYPE(lib::Secret);
 SUTURE_EXTERNAL_TYPE(lib::View, all(), member(x, unit("parsec")));
 SUTURE_EXTERNAL_TYPE(lib::Codes);
+SUTURE_EXTERNAL_TYPE(lib::Boxes);
 }  // namespace demo
