@@ -64,7 +64,7 @@ suture::ConnectionDelay chooseFaults(Chance& chance, std::uint64_t seed) {
   return delay;
 }
 
-std::string describe(suture::Lane lane, const suture::ConnectionDelay& delay) {
+std::string describe(const suture::Lane& lane, const suture::ConnectionDelay& delay) {
   const suture::FaultPlan& plan = delay.faults;
   return toString(lane) + ", delays " + std::to_string(delay.commands.count()) + " and " +
          std::to_string(delay.answers.count()) + " ns, loss " + std::to_string(plan.loss) +

@@ -35,10 +35,10 @@ constexpr int kCommands = 100'000;
 // So many may wait for a subscriber: in its queue, on the lane, and to be counted.
 constexpr std::uint64_t kMayWait = 200;
 
-std::string nameOf(Lane lane) { return lane == Lane::Auto ? "local" : toString(lane); }
+std::string nameOf(const Lane& lane) { return lane == Lane::Auto ? "local" : toString(lane); }
 std::string nameOfCase(const testing::TestParamInfo<Lane>& info) { return nameOf(info.param); }
 
-void expectLane(const Manager& manager, Lane lane) {
+void expectLane(const Manager& manager, const Lane& lane) {
   for (const auto& channel : manager.channels()) {
     EXPECT_EQ(channel->lane, nameOf(lane)) << channel->name();
   }

@@ -84,7 +84,7 @@ class RemoteArm : public testing::Test {
     return {.keys = std::make_shared<const tls::Keys>(folder, process),
             .policy = std::move(policy)};
   }
-  void connect(Lane lane = Lane::Auto) {
+  void connect(const Lane& lane = Lane::Auto) {
     console->connect("Teleop/Slave", "robot:PSM/Arm", {.lane = lane});
     ASSERT_TRUE(eventually([&] { return teleop.reachable.load(); }));
   }
@@ -104,7 +104,7 @@ class RemoteArm : public testing::Test {
     EXPECT_EQ(outcomeOf(1), Errc{});
   }
   /// Connects again and again over `lane`.
-  void expectEverythingGivenBack(Lane lane) {
+  void expectEverythingGivenBack(const Lane& lane) {
     std::size_t before = 0;
     for (int lap = 0; lap < 50; ++lap) {
       connect(lane);

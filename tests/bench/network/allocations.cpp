@@ -39,7 +39,7 @@ void requireUse(const proof::ArmUser& user, const std::vector<ArmResult>& arm) {
                    "Run it again");
 }
 
-Counts countOver(suture::Lane lane, std::uint64_t cycles) {
+Counts countOver(const suture::Lane& lane, std::uint64_t cycles) {
   AllocationCount count;
   proof::UserTask<suture::PeriodicTask> client(kCycle);
   client.also = [&] { count.cycle(client.arm.connected()); };
@@ -64,7 +64,8 @@ Counts countOver(suture::Lane lane, std::uint64_t cycles) {
 
 // Leaves the figures of the lane's own threads. On shm and rpc there is no such thread: tasks do it
 // themselves, or the control threads do. That there is none is the figure of shm.
-void addLane(suture::Lane lane, const std::string& figure, const Counts& counts, Report& report) {
+void addLane(const suture::Lane& lane, const std::string& figure, const Counts& counts,
+             Report& report) {
   if (lane == suture::Lane::Rpc) return;
   report.add(figure + ".lane_threads", "threads", static_cast<double>(counts.laneThreads));
   if (lane == suture::Lane::Shm) return;

@@ -69,7 +69,7 @@ double used(const std::deque<ChildProcess>& others) {
   return sum;
 }
 
-FanOut fanOut(suture::Lane lane, const Shape& shape, std::size_t rounds) {
+FanOut fanOut(const suture::Lane& lane, const Shape& shape, std::size_t rounds) {
   const Names names(Transport::Unix);
   Sender sender;
   suture::Manager manager("sender", names.address());

@@ -81,7 +81,7 @@ void await(const suture::Manager& manager, std::size_t wanted) {
   }
 }
 
-Idle idle(suture::Lane lane, std::size_t connections, const NetworkOptions& options) {
+Idle idle(const suture::Lane& lane, std::size_t connections, const NetworkOptions& options) {
   const Names names(lane == suture::Lane::Shm ? Transport::Unix : Transport::Tcp);
   Sleeper sleeper;
   suture::Manager manager("sender", names.address());

@@ -66,7 +66,7 @@ struct AloneAndBeside {
   std::size_t lost = 0;
 };
 
-AloneAndBeside measureLane(suture::Lane lane, std::size_t count) {
+AloneAndBeside measureLane(const suture::Lane& lane, std::size_t count) {
   const Names names(Transport::Unix);
   AgedServer arm;
   ImageViewer viewer;

@@ -13,7 +13,7 @@ void addEncodedFrames(suture::Manager& manager) {
                                                              suture::frame::Form::Encoded));
 }
 
-void connectBy(suture::Lane lane, suture::Manager& manager, const std::string& required,
+void connectBy(const suture::Lane& lane, suture::Manager& manager, const std::string& required,
                const std::string& provided, const suture::ConnectionContract& contract) {
   manager.connect(required, provided, {.lane = lane, .contract = contract});
   for (const auto& channel : manager.channels()) {

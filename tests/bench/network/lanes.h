@@ -33,7 +33,7 @@ inline const suture::Lane kEncodedFrames{"frame-encoded"};
 void addEncodedFrames(suture::Manager& manager);
 
 /// Does as Manager::connect(). Throws SetupError too if the connection has another lane.
-void connectBy(suture::Lane lane, suture::Manager& manager, const std::string& required,
+void connectBy(const suture::Lane& lane, suture::Manager& manager, const std::string& required,
                const std::string& provided, const suture::ConnectionContract& contract = {});
 
 }  // namespace bench

@@ -24,7 +24,7 @@ constexpr suture::Duration kSilenceBound = 200ms;
 
 /// Is a client that is connected to the provider in another process.
 struct Connected {
-  Connected(suture::Lane lane, const NetworkOptions& options,
+  Connected(const suture::Lane& lane, const NetworkOptions& options,
             const suture::ConnectionContract& contract = {})
       : server(Transport::Unix, options.otherCpu) {
     server.manager().add("Client", client);
@@ -61,7 +61,7 @@ struct Connected {
 
 /// Times a new process's part: a manager, its names, the handshake and the lane; to a server that
 /// is there.
-std::int64_t connectFromCold(suture::Lane lane, const Names& names) {
+std::int64_t connectFromCold(const suture::Lane& lane, const Names& names) {
   SampleDevice client;
   const Time begin = now();
   suture::Manager manager("cold", names.address());
@@ -71,7 +71,7 @@ std::int64_t connectFromCold(suture::Lane lane, const Names& names) {
   return (now() - begin).count();
 }
 
-std::int64_t killOne(suture::Lane lane, const NetworkOptions& options) {
+std::int64_t killOne(const suture::Lane& lane, const NetworkOptions& options) {
   Connected connected(lane, options);
   std::this_thread::sleep_for(20ms);  // idle
   const std::int64_t elapsed = connected.untilLost(SIGKILL);
@@ -79,7 +79,7 @@ std::int64_t killOne(suture::Lane lane, const NetworkOptions& options) {
   return elapsed;
 }
 
-std::int64_t stopOne(suture::Lane lane, const NetworkOptions& options) {
+std::int64_t stopOne(const suture::Lane& lane, const NetworkOptions& options) {
   Connected connected(lane, options, {.silence = kSilenceBound});
   std::this_thread::sleep_for(kSilenceBound);
   const std::int64_t elapsed = connected.untilLost(SIGSTOP);
@@ -88,14 +88,14 @@ std::int64_t stopOne(suture::Lane lane, const NetworkOptions& options) {
 }
 
 /// Returns the time from the end of a silence that lost the connection.
-std::int64_t resumeOne(suture::Lane lane, const NetworkOptions& options) {
+std::int64_t resumeOne(const suture::Lane& lane, const NetworkOptions& options) {
   Connected connected(lane, options, {.silence = kSilenceBound});
   connected.untilLost(SIGSTOP);
   return connected.untilBack(SIGCONT);
 }
 
 /// Returns how many threads there are beyond its task and the one that main() runs in.
-double threadsBeyondTasks(suture::Lane lane, const NetworkOptions& options) {
+double threadsBeyondTasks(const suture::Lane& lane, const NetworkOptions& options) {
   const Connected connected(lane, options);
   const std::filesystem::directory_iterator threads(
       "/proc/" + std::to_string(connected.server.pid()) + "/task");

@@ -87,7 +87,7 @@ class Victim {
 /// Is a client of the arm that lives on.
 class Survivor {
  public:
-  Survivor(suture::Lane lane, const Names& names, const NetworkOptions& options)
+  Survivor(const suture::Lane& lane, const Names& names, const NetworkOptions& options)
       : lane_(lane),
         client_(suture::PeriodicOptions{.period = kCycle.period,
                                         .scheduling = scheduling(options, kPriority)}),
@@ -208,7 +208,7 @@ struct Survived {
   }
 };
 
-Survived survive(suture::Lane lane, const Names& names, const NetworkOptions& options) {
+Survived survive(const suture::Lane& lane, const Names& names, const NetworkOptions& options) {
   Victim victim(names, options.otherCpu);
   Survivor survivor(lane, names, options);
   const Periods before = survivor.periods();

@@ -22,8 +22,8 @@ void add(Report& report, Table& table, const std::string& figure, const char* wo
 /// from when the coordinator's process stands still; "killed.shm", ...: from when it is killed,
 /// once;
 /// ".images": how many both pairs saw meanwhile.
-void measure(const std::string& name, suture::Lane lane, const StopOptions& options, Report& report,
-             Table& table) {
+void measure(const std::string& name, const suture::Lane& lane, const StopOptions& options,
+             Report& report, Table& table) {
   StopSystem system(lane);
   std::vector<std::int64_t> presses, cuts;
   for (int i = 0; i < options.presses(); ++i) presses.push_back(system.press());

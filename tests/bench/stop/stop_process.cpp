@@ -16,7 +16,7 @@ constexpr const char* kStopSubcommand = "stop-process";
 
 /// Makes a connection over `lane`, or within this process if `process` is "".
 void connect(suture::Manager& manager, const std::string& required, const std::string& process,
-             const std::string& provided, suture::Lane lane) {
+             const std::string& provided, const suture::Lane& lane) {
   if (process.empty()) return manager.connect(required, provided);
   connectBy(lane, manager, required, process + ":" + provided);
 }
@@ -48,14 +48,14 @@ void serveDesk(const Arguments& given) {
 
 void serveVision(const Arguments& given) {
   StopVision vision;
-  serve(given, vision, [](suture::Manager& manager, suture::Lane lane) {
+  serve(given, vision, [](suture::Manager& manager, const suture::Lane& lane) {
     connectVision(manager, kElsewhere, lane);
   });
 }
 
 void servePair(const Arguments& given) {
   ArmPair pair(given.isLeft() ? 0 : 2, given.isLeft() ? robots::Side::Left : robots::Side::Right);
-  serve(given, pair, [&](suture::Manager& manager, suture::Lane lane) {
+  serve(given, pair, [&](suture::Manager& manager, const suture::Lane& lane) {
     connectPair(manager, pair, kElsewhere, lane);
   });
   const std::uint64_t images = pair.viewer.images();
@@ -71,7 +71,7 @@ void serveProcess(const Arguments& given) {
 }  // namespace
 
 void connectPair(suture::Manager& manager, const ArmPair& pair, const Places& places,
-                 suture::Lane lane) {
+                 const suture::Lane& lane) {
   const std::string viewer = std::string("Viewer") + kArms[pair.first].name;
   connect(manager, viewer + "/Images", places.vision, "Endoscope/Images", lane);
   for (std::size_t arm : {pair.first, pair.first + 1}) {
@@ -80,7 +80,7 @@ void connectPair(suture::Manager& manager, const ArmPair& pair, const Places& pl
   }
 }
 
-void connectVision(suture::Manager& manager, const Places& places, suture::Lane lane) {
+void connectVision(suture::Manager& manager, const Places& places, const suture::Lane& lane) {
   connect(manager, "Strand/Left", places.left, "PSM2/Arm", lane);
   connect(manager, "Strand/Right", places.right, "PSM1/Arm", lane);
 }
@@ -97,7 +97,7 @@ void addStopProcess(CLI::App& program) {
 
 std::vector<std::string> stopProcessArguments(const std::string& process,
                                               const std::string& managerAddress,
-                                              suture::Lane lane) {
+                                              const suture::Lane& lane) {
   return {kStopSubcommand, "--process", process,       "--manager",
           managerAddress,  "--lane",    toString(lane)};
 }

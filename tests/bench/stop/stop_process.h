@@ -18,15 +18,16 @@ struct Places {
 
 /// Connects the drives of a pair to the stop, and its viewer to the endoscope.
 void connectPair(suture::Manager& manager, const ArmPair& pair, const Places& places,
-                 suture::Lane lane);
+                 const suture::Lane& lane);
 /// Connects the strand to both slaves.
-void connectVision(suture::Manager& manager, const Places& places, suture::Lane lane);
+void connectVision(suture::Manager& manager, const Places& places, const suture::Lane& lane);
 
 /// Adds the hidden subcommand: is process "desk", "left", "right" or "vision" until it is told to
 /// end; a pair then writes how many images it has seen.
 void addStopProcess(CLI::App& program);
 /// Says how this program is called to be that process.
 std::vector<std::string> stopProcessArguments(const std::string& process,
-                                              const std::string& managerAddress, suture::Lane lane);
+                                              const std::string& managerAddress,
+                                              const suture::Lane& lane);
 
 }  // namespace bench

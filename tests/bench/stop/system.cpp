@@ -17,7 +17,7 @@ using robots::DrivePower;
 using suture::now;
 using suture::Time;
 
-StopSystem::StopSystem(suture::Lane lane) : isOneProcess_(lane == suture::Lane::Auto) {
+StopSystem::StopSystem(const suture::Lane& lane) : isOneProcess_(lane == suture::Lane::Auto) {
   if (isOneProcess_) {
     manager_.emplace("bench");
     addHere();
@@ -62,14 +62,14 @@ void StopSystem::addHere() {
   right_->addTo(*manager_);
 }
 
-void StopSystem::startElsewhere(suture::Lane lane) {
+void StopSystem::startElsewhere(const suture::Lane& lane) {
   for (const char* const process : {"desk", "left", "right", "vision"}) {
     processes_.push_back(
         std::make_unique<ChildProcess>(stopProcessArguments(process, names_->address(), lane)));
   }
 }
 
-void StopSystem::connectWatchers(suture::Lane lane) {
+void StopSystem::connectWatchers(const suture::Lane& lane) {
   const auto connect = [&](const std::string& required, const char* process,
                            const std::string& provided) {
     if (isOneProcess_) return manager_->connect(required, provided);

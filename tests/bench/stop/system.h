@@ -20,7 +20,7 @@ namespace bench {
 class StopSystem {
  public:
   /// Throws SetupError.
-  explicit StopSystem(suture::Lane lane);
+  explicit StopSystem(const suture::Lane& lane);
   ~StopSystem();
   StopSystem(const StopSystem&) = delete;
   StopSystem& operator=(const StopSystem&) = delete;
@@ -37,8 +37,8 @@ class StopSystem {
 
  private:
   void addHere();
-  void startElsewhere(suture::Lane lane);
-  void connectWatchers(suture::Lane lane);
+  void startElsewhere(const suture::Lane& lane);
+  void connectWatchers(const suture::Lane& lane);
   void enableAll();
   std::int64_t untilStopped(suture::Time from);
   std::int64_t signalDesk(int signal);

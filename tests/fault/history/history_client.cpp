@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 
 /// Connects, as often as it is refused, unless it is to end.
 void connect(const suture::HostedProcess& process, suture::Manager& manager, const std::string& arm,
-             suture::Lane lane, suture::Duration silence) {
+             const suture::Lane& lane, suture::Duration silence) {
   while (!process.ended()) {
     try {
       manager.connect("Client/Arm", arm,

@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 /// Holds what master and slave did since the surgeon set out.
 class RecordedRun {
  public:
-  RecordedRun(suture::Lane lane, suture::Duration delay) {
+  RecordedRun(const suture::Lane& lane, suture::Duration delay) {
     TwoWorkstations stations(lane, delay);
     suture::pass(kLength + 2s);
     stations.stop();

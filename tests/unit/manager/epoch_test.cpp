@@ -74,7 +74,7 @@ class Caller {
   Caller& operator=(const Caller&) = delete;
 
   /// Connects "left:Teleop/Slave" to PSM/Arm. Returns the refusal, or "".
-  std::string connect(std::int64_t epoch, Lane lane = Lane::Rpc) {
+  std::string connect(std::int64_t epoch, const Lane& lane = Lane::Rpc) {
     return control_.run(kPatience,
                         [=, this] { return greet().then([=, this] { return ask(epoch, lane); }); });
   }
@@ -124,7 +124,7 @@ class Caller {
         .then([this](reference::SecondSocket socket) { calls_ = kj::mv(socket); });
   }
 
-  kj::Promise<std::string> ask(std::int64_t epoch, Lane lane) {
+  kj::Promise<std::string> ask(std::int64_t epoch, const Lane& lane) {
     auto request = link_->bootstrap<wire::Peer>().connectRequest();
     reference::askForArm(request, "left");
     request.setEpoch(epoch);

@@ -60,7 +60,7 @@ struct Operator final : PeriodicTask {
 /// Has a global manager, an arm in one process and its operator in another: three managers that
 /// share nothing but sockets, and memory on `shm`.
 struct System {
-  explicit System(Lane lane) {
+  explicit System(const Lane& lane) {
     robot.add("PSM", arm);
     console.add("Operator", user);
     robot.start();
@@ -96,7 +96,7 @@ TEST_P(TwoManagers, SendOnceEachPeriodAndLoseNothing) {
   }
 }
 
-Trace traceOf(Lane lane, std::uint64_t seed) {
+Trace traceOf(const Lane& lane, std::uint64_t seed) {
   TestClock clock({.seed = seed, .traced = true});
   {
     System system(lane);

@@ -60,7 +60,7 @@ class Camera final : public suture::PeriodicTask, public robots::StereoImages {
   robots::StereoPair pair_;
 };
 
-void serve(const std::string& managerAddress, suture::Lane lane) {
+void serve(const std::string& managerAddress, const suture::Lane& lane) {
   Commander commander;
   Camera camera;
   suture::Manager manager{"guide", managerAddress};
@@ -88,7 +88,7 @@ void addImageProcess(CLI::App& program) {
 }
 
 std::vector<std::string> imageProcessArguments(const std::string& managerAddress,
-                                               suture::Lane lane) {
+                                               const suture::Lane& lane) {
   return {kImageSubcommand, "--manager", managerAddress, "--lane", suture::toString(lane)};
 }
 

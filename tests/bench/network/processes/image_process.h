@@ -20,6 +20,6 @@ void addImageProcess(CLI::App& program);
 /// "arm:Arm/Samples" each millisecond over `lane`, with the time of the call as the value's stamp;
 /// "guide:Camera/Images" has a new pair of images 15 times a second.
 std::vector<std::string> imageProcessArguments(const std::string& managerAddress,
-                                               suture::Lane lane);
+                                               const suture::Lane& lane);
 
 }  // namespace bench

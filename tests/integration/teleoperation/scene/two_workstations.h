@@ -22,7 +22,7 @@ namespace robots::test {
 /// process. What the master tells takes `delay` longer.
 class TwoWorkstations {
  public:
-  TwoWorkstations(suture::Lane lane, suture::Duration delay)
+  TwoWorkstations(const suture::Lane& lane, suture::Duration delay)
       : lane_(lane), delay_(delay), teleop_({.scale = kScale, .max_age = kFresh + delay}) {
     equipConsole();
     slave_.addTo(robot(), "PSM");
