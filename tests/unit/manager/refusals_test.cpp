@@ -99,10 +99,17 @@ std::string whyNotExplained(const std::string& address) {
           auto link =
               kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(control.port(), kj::mv(socket)),
                                   capnp::rpc::twoparty::Side::CLIENT);
-          auto request = link->bootstrap<wire::Peer>().explainRequest();
-          request.setComponent("PSM");
-          request.setInterface("Leg");
-          return request.send()
+          auto peer = link->bootstrap<wire::Peer>();
+          auto hello = peer.helloRequest();
+          hello.setVersion(wire::PROTOCOL_VERSION);
+          hello.setProcess("test");
+          return hello.send()
+              .then([peer](auto&&) mutable {
+                auto request = peer.explainRequest();
+                request.setComponent("PSM");
+                request.setInterface("Leg");
+                return request.send();
+              })
               .then([](auto&& results) {
                 return results.isRefused() ? fromWire(results.getRefused()).text : std::string();
               })
