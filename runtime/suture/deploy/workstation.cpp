@@ -303,7 +303,8 @@ int runWorkstation(const Options& options, std::span<const ComponentClass> class
   auto told = std::make_optional<OnToldToEnd>(signals, [] { _exit(0); });  // nothing runs yet
   const Deployment deployment(JsonDocument::read(options.deployment));
   Host host(deployment, processOf(deployment, options), classes);
-  if (added != nullptr) {
+  // Without a manager nothing travels, and a process has no lanes.
+  if (added != nullptr && !deployment.manager().empty()) {
     for (auto& lane : added()) host.addLane(std::move(lane));
   }
   if (options.messages) host.listenToMessages();
