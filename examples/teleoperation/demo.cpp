@@ -210,7 +210,7 @@ int main(int argc, char** argv) {
       "process "
       "that they depend on was cut off or the emergency stop was pressed, and the files that were "
       "asked for are written.");
-  declare(app, options);
+  if (!succeeds([&] { declare(app, options); })) return 1;
   const auto topologies = demo::Topologies::besideProgramsIn(programs());
   app.footer("Topologies:\n" + topologies.list());
   CLI11_PARSE(app, argc, argv);
