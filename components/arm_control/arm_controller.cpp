@@ -93,7 +93,7 @@ template <int N>
 void ArmController<N>::hold() {
   if (!mayMove()) return;
   endMove(false);
-  setpoint_.rest(setpoint());
+  setpoint_.stay();
   enter(ArmState::Enabled, "holding");
 }
 

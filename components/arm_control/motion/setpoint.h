@@ -44,6 +44,8 @@ class Setpoint {
     reached_ = joints;
     rate_.rest(joints);
   }
+  /// Stays where it is, though the joints may not have arrived.
+  void stay() { rate_.rest(joints_); }
   /// Returns true if joints that keep their rate limits can follow put(goal) with a delay of
   /// `horizon` seconds at most. Goals that come one after the other may not add up to more.
   bool mayBePut(const Joints& goal, double horizon) const {

@@ -173,6 +173,18 @@ TEST_F(ServoHorizon, RefusesAStreamThatIsFasterThanTheRates) {
   EXPECT_EQ(crtk_.operating_state().state, ArmState::Enabled);
 }
 
+TEST_F(ServoHorizon, DoesNotBeginAnewWithEachHold) {
+  Joints goal = at(0.235);
+  const double begin = setpoint(0);
+  for (int i = 1; i <= 5; ++i) {
+    goal[0] += 0.3;
+    crtk_.servo_jp(toGoal(goal));
+    crtk_.hold();
+    cycles(1);
+    ASSERT_LE(setpoint(0) - begin, kRate * (i * kCycle + kHorizon) + 1e-9) << "in cycle " << i;
+  }
+}
+
 TEST_F(ServoHorizon, ObeysAStreamAtTheRates) {
   Joints goal = at(0.235);
   for (int i = 0; i < 250; ++i) {
