@@ -148,13 +148,13 @@ void SystemConsole::beginByItself() {
       std::find_if(arms_.begin(), arms_.end(), [](const ArmPart* one) { return one->hasHomed(); });
   if (used == arms_.end()) return bring_up();
   byItself_ = false;
-  text_.assign((*used)->name()).append(" has homed before this console began; ask for bring_up");
-  messages_.warning(text_);
   const auto isUp = [](const auto* one) { return !one->isDown(); };
   if (std::any_of(arms_.begin(), arms_.end(), isUp) ||
       std::any_of(movers_.begin(), movers_.end(), isUp)) {
-    enter(ConsoleState::Incomplete);
+    return enter(ConsoleState::Incomplete);
   }
+  text_.assign((*used)->name()).append(" has homed before this console began; ask for bring_up");
+  messages_.warning(text_);
 }
 
 void SystemConsole::tellLostPower() {

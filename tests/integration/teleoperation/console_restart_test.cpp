@@ -57,6 +57,7 @@ TEST_F(RestartedConsole, IsUpAgainAtOnceIfItComesToASystemThatIsUp) {
   EXPECT_EQ(restarted_.console_state(), ConsoleState::Up);
   look();
   EXPECT_EQ(onlooker_.order, Names{}) << "no part was asked for anything";
+  EXPECT_EQ(onlooker_.warnings, Names{});
 }
 
 }  // namespace
