@@ -1,5 +1,6 @@
 #include "coordinator/coordinator.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -24,6 +25,7 @@ Coordinator::Coordinator(const CoordinatorParameters& parameters)
 // A stop that is released in the cycle in which it was pressed withholds one permit all the same.
 void Coordinator::run() {
   const suture::Duration pause = cycles_.sinceLast();
+  cycles_.begin();
   if (pause > kShortPause) pauseCountsUntil_ = suture::now() + kToldWithin;
   const bool pressMayBeLost =
       std::exchange(clientIsGone_, false) && suture::now() < pauseCountsUntil_;
@@ -31,9 +33,17 @@ void Coordinator::run() {
   permit_ = {!pressed_ && !std::exchange(wasPressed_, false), suture::now()};
 }
 
-void Coordinator::onClient(const suture::ProvidedBase&, const suture::ConnectedClient&,
+// Runs before the commands of a cycle. A client that came after the pause has lost no press in it.
+void Coordinator::onClient(const suture::ProvidedBase&, const suture::ConnectedClient& client,
                            suture::ClientNews news) {
-  clientIsGone_ = clientIsGone_ || news != suture::ClientNews::Connected;
+  if (cycles_.sinceLast() > kShortPause) newcomers_.fill(nullptr);
+  const bool hasCome = news == suture::ClientNews::Connected;
+  auto* const place = std::find(newcomers_.begin(), newcomers_.end(), hasCome ? nullptr : &client);
+  if (place != newcomers_.end()) {
+    *place = hasCome ? &client : nullptr;
+  } else if (!hasCome) {
+    clientIsGone_ = true;
+  }
 }
 
 // The stop begins pressed, because nobody could press it until now.

@@ -6,6 +6,7 @@
 #include <suture/component/provided.h>
 #include <suture/component/task/periodic_task.h>
 
+#include <array>
 #include <chrono>
 
 #include "coordinator/emergency_stop.suture.h"
@@ -44,8 +45,10 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
   CycleWatch cycles_;
   bool pressed_ = true;
   bool wasPressed_ = true;           // since the last permit
-  bool clientIsGone_ = false;        // since the last cycle
+  bool clientIsGone_ = false;        // since the last cycle, and it came before the last pause
   suture::Time pauseCountsUntil_{};  // a client that goes until then may have pressed in a pause
+  // They have come since the last pause; one for which there is no place counts as earlier.
+  std::array<const suture::ConnectedClient*, 16> newcomers_{};
   Permit permit_;
   suture::Provided<EmergencyStop> stop_{*this, "Stop", *this};
 };

@@ -13,14 +13,14 @@ class CycleWatch {
  public:
   /// Says that the cycles begin now, so that the first is not late.
   void begin() { last_ = suture::now(); }
-  /// Call this or missed() once a cycle. Returns how long ago the last cycle was; a long time if
-  /// none has begun.
-  suture::Duration sinceLast() {
+  /// Returns how long ago the last cycle was; a long time if none has begun.
+  suture::Duration sinceLast() const { return suture::now() - last_; }
+  /// Call this once a cycle. Returns true if the last cycle was longer ago than `most`, or none
+  /// has begun.
+  bool missed(suture::Duration most) {
     const suture::Time now = suture::now();
-    return now - std::exchange(last_, now);
+    return now - std::exchange(last_, now) > most;
   }
-  /// Returns true if the last cycle was longer ago than `most`, or none has begun.
-  bool missed(suture::Duration most) { return sinceLast() > most; }
 
  private:
   suture::Time last_;

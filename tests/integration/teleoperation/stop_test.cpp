@@ -118,6 +118,10 @@ class Stop : public testing::TestWithParam<suture::Lane> {
   suture::Manager desk_{"desk", names_.address()}, left_{"left", names_.address()},
       right_{"right", names_.address()};
 
+  static void connectStop(suture::Manager& client, const std::string& component) {
+    connect(client, component + "/Stop", "desk", "Coordinator/Stop");
+  }
+
  private:
   static bool isOneProcess() { return GetParam() == suture::Lane::Auto; }
   suture::Manager& right() { return isOneProcess() ? left_ : right_; }
@@ -127,9 +131,6 @@ class Stop : public testing::TestWithParam<suture::Lane> {
     if (isOneProcess()) return client.connect(required, provided);
     client.connect(required, process + ":" + provided,
                    {.lane = GetParam(), .contract = {.silence = kSilence}});
-  }
-  static void connectStop(suture::Manager& client, const std::string& component) {
-    connect(client, component + "/Stop", "desk", "Coordinator/Stop");
   }
 };
 
@@ -241,6 +242,21 @@ TEST_P(StopAcross, IsPressedIfAPressIsLostInAShorterPause) {
   pass(500ms);
   EXPECT_FALSE(coordinator_.permit().granted);
   expectStoppedUntilReleased();
+}
+
+TEST_P(StopAcross, IsReleasedByAClientThatCameAfterAPauseAndWentSoon) {
+  left_.disconnect("Panel/Stop");
+  pass(50ms);
+  desksProcess_.freeze();
+  pass(100ms);
+  desksProcess_.thaw();
+  pass(50ms);
+  connectStop(left_, "Panel");
+  EXPECT_TRUE(panel_.button.release());
+  pass(50ms);
+  left_.disconnect("Panel/Stop");
+  pass(50ms);
+  EXPECT_TRUE(coordinator_.permit().granted);
 }
 
 TEST_P(StopAcross, StopsDrivesThatAreDisconnected) {
