@@ -44,7 +44,7 @@ struct RoomPair {
 ///    cone,
 ///  - the target, which the knot approaches ever slower and does not pass,
 ///  - the tissue, the distance between the tips, and a speed,
-///  - the wish: no tip goes farther than its operator wishes, nor against that,
+///  - the wish: no tip goes farther along an axis than its operator wishes to go, nor against that,
 ///  - the joints' limits and speeds, as far as the arms say them,
 ///  - the sliding cone: were the strand drawn too steep at one side of the knot and too flat at the
 ///    other, it would run through the knot, which would not move with the tips any more. What the
