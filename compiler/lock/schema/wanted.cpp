@@ -81,6 +81,7 @@ WantedNode wantedEnum(const model::Enum& declaration) {
     Member member = plain(enumerator.wireName, "", enumerator.doc.text);
     addCxxName(member, enumerator.name);
     member.annotations.emplace("value", std::to_string(enumerator.value));
+    if (enumerator.fallback) member.annotations.emplace("fallback", "");
     addLifecycle(member.annotations, enumerator.lifecycle);
     result.members.push_back({std::move(member),
                               "enumerator '" + declaration.name + "::" + enumerator.name + "'",
@@ -141,6 +142,7 @@ WantedNode wantedComposite(const model::Type& type, const model::Source& source,
     Member member = plain(names[i], wireType(element, lookup, header));
     member.annotations = typeAnnotations(element);
     member.annotations.erase("capacity");
+    member.annotations.erase("representation");
     member.annotations.erase("distinct");  // the name says it: "SetOfInt32"
     addMember(result, std::move(member));
   }

@@ -198,6 +198,12 @@ ENUMERATORS = [
          mode("Off SUTURE_FIELD(fallback()), On, Fast",
               commands=chooses("choose_known", Call("{T}Mode::Fast", heard="mode=0"))),
          build="lock-new", diff=REFUSES),
+    Edit("fallback removed", "`fallback()`",
+         mode("Off SUTURE_FIELD(fallback()), On", commands=chooses("choose_any")),
+         mode("Off, On", commands=chooses("choose_any")), build="lock-range", diff=REFUSES),
+    Edit("fallback added", "`fallback()`",
+         mode("Off, On", commands=chooses("choose_safely")),
+         mode("Off SUTURE_FIELD(fallback()), On", commands=chooses("choose_safely")), build="lock-stale"),
     Edit("enumerator removed", "an enumerator removed",
          mode("Off, On, Fast", commands=chooses("choose_gone", Call("{T}Mode::On", heard="mode=1"),
                                                 Call("{T}Mode::Fast", OUTSIDE, heard=None))),
@@ -232,10 +238,10 @@ def bounded(name, capacity, *calls):
                   commands=(Command("void %s(const {T}& value)" % name, calls=calls),))
 
 
-def ticks(representation, *calls):
+def ticks(name, representation, *calls):
     """A command that takes milliseconds, counted by such an integer."""
     return Side(types="using {T}Ticks = std::chrono::duration<%s, std::milli>;\n" % representation,
-                commands=(Command("void pause({T}Ticks a, const std::optional<{T}Ticks>& b)", calls=calls),))
+                commands=(Command("void %s({T}Ticks a, const std::optional<{T}Ticks>& b)" % name, calls=calls),))
 
 
 def collected(name, container, *calls):
@@ -265,9 +271,13 @@ LIMITS = [
          collected("gather", "vector", Call("{T}{{1, 3}}", heard="value={[1,3]}"), Call("{T}{{3, 1, 3}}", OUTSIDE, heard=None)),
          build="lock-range", diff=REFUSES),
     Edit("duration counted in fewer bits", LIMIT,
-         ticks("std::int64_t", Call("{T}Ticks(100), {T}Ticks(100)", heard="a=100 b=100"),
+         ticks("pause", "std::int64_t", Call("{T}Ticks(100), {T}Ticks(100)", heard="a=100 b=100"),
                Call("{T}Ticks(300), {T}Ticks(100)", OUTSIDE, heard=None), Call("{T}Ticks(100), {T}Ticks(300)", OUTSIDE, heard=None)),
-         ticks("std::int8_t", Call("{T}Ticks(100), {T}Ticks(100)", heard="a=100 b=100")), diff=NOTHING),
+         ticks("pause", "std::int8_t", Call("{T}Ticks(100), {T}Ticks(100)", heard="a=100 b=100")), build="lock-range", diff=REFUSES),
+    Edit("duration counted in more bits", LIMIT,
+         ticks("rest", "std::int8_t", Call("{T}Ticks(100), {T}Ticks(100)", heard="a=100 b=100")),
+         ticks("rest", "std::int64_t", Call("{T}Ticks(100), {T}Ticks(100)", heard="a=100 b=100"),
+               Call("{T}Ticks(300), {T}Ticks(100)", OUTSIDE, heard=None)), build="lock-range", diff=REFUSES),
 ]
 
 

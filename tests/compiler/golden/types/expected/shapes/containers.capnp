@@ -11,7 +11,7 @@ $Meta.header("shapes/containers.h");
 enum Level @0xa46142666f1d7c70 $Meta.cxx("shapes::Level") $Meta.underlying("Int16") {
   # Sparse, negative, and ready for what later versions add.
 
-  unknown @0 $Meta.cxx("Unknown") $Meta.value(-1);
+  unknown @0 $Meta.cxx("Unknown") $Meta.fallback $Meta.value(-1);
   low @1 $Meta.cxx("Low") $Meta.value(10);
   high @2 $Meta.cxx("High") $Meta.value(300);
 }
