@@ -45,6 +45,7 @@ class Header(Types):
         self.templates = set()
         self.contract = None
         self.commands = []
+        self.namesakes = []  # functions of the namespace that are called as commands are
         *names, contract = self.random.sample(list(random_names.TYPES), 6)
         self.enums = dict(self.enum(name) for name in [names[0], "Choice"][:self.random.randint(1, 2)])
         for name in names[1:self.random.randint(2, 5)]:
@@ -121,7 +122,7 @@ class Header(Types):
         number = parts[0] if template in ("std::array", "std::vector", "std::deque", "std::optional") and parts else field.type
         if number in NUMBERS and self.random.randrange(2) and "optional" not in template:
             signed = not number.startswith("std::uint")
-            field.range = self.random.choice([(0, 100), (-100 if signed else 0, 7), (0, 0)])
+            field.range = self.random.choice([(0, 100), (-100 if signed else 0, 7), (0, 0), (-0.5 if signed else 0, 6.5)])
         if number in NUMBERS and self.random.randrange(3) == 0:
             field.notes = (f'unit("{self.random.choice(UNITS)}")',)
         return field
@@ -155,7 +156,8 @@ class Header(Types):
         return field
 
     def draw_commands(self):
-        names = self.random.sample(random_names.MEMBERS, self.random.randint(1, 3))
+        names = self.random.sample(random_names.COMMANDS, self.random.randint(1, 3))
+        self.namesakes = [name for name in names if self.random.randrange(3) == 0 and name != "isValid"]
         return [self.command(name) for name in names]
 
     def payload(self):
@@ -213,6 +215,7 @@ class Header(Types):
         for path in self.structs:
             lines += self.struct(path)
         if self.contract:
+            lines += [f"inline double {name}(double value) {{ return value; }}" for name in self.namesakes]
             lines += [f"class SUTURE_INTERFACE() {self.contract} {{", " public:", f"  virtual ~{self.contract}() = default;",
                       *(f"  {command.text}" for command in self.commands), "};", ""]
         text = "\n".join([*lines, f"}}  // namespace {self.name}", ""])
@@ -284,7 +287,8 @@ class Header(Types):
                               f"      constexpr unsigned all[] = {{{', '.join(map(str, field.bounds))}}};",
                               "      Bounds bounds = all;", f"      fill(value.{field.name}, source, bounds);", "    });"]
                 if field.range and field.type in NUMBERS:
-                    lines += [f"    trip.checkOutside([]({value}& value) {{ value.{field.name} = {field.range[1] + 1}; }});"]
+                    beyond = int(field.range[1]) + 1
+                    lines += [f"    trip.checkOutside([]({value}& value) {{ value.{field.name} = {beyond}; }});"]
             lines += ["  }"]
         return "\n".join([*lines, "}", ""])
 
@@ -326,7 +330,7 @@ class Header(Types):
         return copied
 
     def drop_contract(self):
-        self.contract, self.commands = None, []
+        self.contract, self.commands, self.namesakes = None, [], []
 
     def drop_type(self, gone):
         """Drops it and what names it."""

@@ -14,6 +14,9 @@ MEMBERS = ["text", "list", "data", "reader", "builder", "group", "which", "stamp
            "item0", "item1", "key", "entry", "element", "error", "root", "message", "import_", "struct_", "interface",
            "annotation", "const_", "using_", "void_", "fooBar", "text_value", "valueText", "store", "load", "reserve",
            "to_wire", "from_wire", "isValid", "other", "i", "n", "it", "maxAge", "base", "foo_bar", "Count", "as", "of", "from", "with", "now"]
+# These are names of commands and events that the classes of generated code use.
+COMMANDS = [*MEMBERS, "Command", "ReadCommand", "QualifiedReadCommand", "ReturningCommand", "NoSlot", "Component", "interfaceInfo",
+            "InterfaceInfo", "RequiredBase", "ProvidedBase", "Subscription", "Emitter", "Errc", "Dispatch", "Scratch", "execute"]
 # These stand beside `First`.
 ENUMERATORS = ["first", "FIRST", "eof", "nan", "overflow", "null", "text", "which", "union_", "enumerant", "value", "domain",
                "unknown", "none", "some"]
