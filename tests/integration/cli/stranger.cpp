@@ -191,7 +191,8 @@ kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence
   const auto address = suture::rpc::Address::parse(manager + "." + name);
   presence.server = std::make_unique<suture::rpc::LinkServer>(
       control.port(), address,
-      [how](auto) -> capnp::Capability::Client {
+      [how](const auto& caller) -> capnp::Capability::Client {
+        caller->known = true;  // else it would be given only short answers
         return suture::wire::Peer::Client(kj::heap<Stranger>(how));
       },
       presence.refusals);
