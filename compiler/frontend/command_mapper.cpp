@@ -116,7 +116,6 @@ std::optional<model::Parameter> mapParameter(const clang::ParmVarDecl* declarati
   model::Parameter parameter;
   parameter.name = declaration->getNameAsString();
   parameter.wireName = wireMemberName(model::Named::Parameter, parameter.name, annotation.name);
-  parameter.isNamed = annotation.name.has_value();
   parameter.type = std::move(*type);
   parameter.byReference = byReference;
   parameter.unit = annotation.unit;
@@ -211,7 +210,6 @@ model::Command mapCommand(const clang::CXXMethodDecl* method, Mapping& mapping) 
   const bool reads = command.kind == model::CommandKind::Read;
   command.wireName = wireMemberName(reads ? model::Named::Read : model::Named::Command,
                                     command.name, annotation.name);
-  command.isNamed = annotation.name.has_value();
   mapOptional(method, annotation, command, mapping);
   for (const clang::ParmVarDecl* parameter : method->parameters()) {
     if (auto mapped = mapParameter(parameter, mapping)) {

@@ -87,7 +87,6 @@ model::Event mapEvent(const clang::FieldDecl* field, const clang::TemplateArgume
   event.member = field->getNameAsString();
   event.name = annotation.name.value_or(event.member);
   event.wireName = wireMemberName(model::Named::Event, event.name, std::nullopt);
-  event.isNamed = annotation.name.has_value();
   if (mapping.context().Idents.get(event.name).isKeyword(mapping.context().getLangOpts())) {
     mapping.error(field, "reserved-name",
                   subject + " is called '" + event.name + "', which C++ keeps for itself",

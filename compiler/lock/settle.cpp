@@ -1,7 +1,6 @@
 #include "compiler/lock/settle.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,7 +9,6 @@
 #include "compiler/lock/prefixes.h"
 #include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
-#include "compiler/model/generated_names.h"
 #include "compiler/model/lookup.h"
 #include "compiler/model/naming.h"
 
@@ -29,15 +27,12 @@ bool isFrom(const std::string& wireName, const std::string& name) {
   return name == wireName || name.starts_with(wireName + kMore);
 }
 
-/// Holds what must have names of its own on the wire, such as the members of one struct, and what
-/// the lock says of it.
+/// Holds the members of one struct, or the enumerators of one enum, and what the lock says of them.
 template <class Declared>
 class Scope {
  public:
-  Scope(std::vector<Declared>& members, const Node* node)
-      : Scope(members, node == nullptr ? std::vector<Member>{} : node->members) {}
-  Scope(std::vector<Declared>& members, std::vector<Member> locked)
-      : members_(members), locked_(std::move(locked)) {
+  Scope(std::vector<Declared>& members, const Node* node) : members_(members) {
+    if (node != nullptr) locked_ = node->members;
     std::erase_if(locked_, [](const Member& one) { return one.removed(); });
     open_.assign(members.size(), true);
   }
@@ -103,14 +98,13 @@ class Scope {
   std::vector<bool> open_;  // true for each of members_ that has no name of its own yet
 };
 
-/// Returns the node whose `annotation` names the type, which may have had another name; null if the
-/// lock has none.
+/// Returns the node of a type, which may have had another name; null if the lock has none.
 template <class Type>
-const Node* nodeOf(const Type& type, const Lock* lock, const std::string& annotation = "cxx") {
+const Node* nodeOf(const Type& type, const Lock* lock) {
   if (lock == nullptr) return nullptr;
   const auto find = [&](const std::string& name) -> const Node* {
     const auto found = std::find_if(lock->nodes.begin(), lock->nodes.end(), [&](const Node& node) {
-      return !node.removed() && identity(node) == annotation + " " + quoted(name);
+      return !node.removed() && identity(node) == "cxx " + quoted(name);
     });
     return found == lock->nodes.end() ? nullptr : &*found;
   };
@@ -218,75 +212,24 @@ class Bases {
   const model::Header& header_;
 };
 
-/// Lets all keep their names that the lock has by their names in C++, and names the others.
-template <class Declared>
-void settle(std::vector<Declared>& declared, Scope<Declared>& scope) {
-  for (std::size_t i = 0; i < declared.size(); ++i) {
-    scope.keep(i, [&](const Member& one) { return cxxNameOf(one) == declared[i].name; });
-  }
-  scope.nameOthers();
-}
-
 void settle(model::Struct& type, const Node* node, const model::Lookup& lookup,
             const model::Header& header) {
   Scope scope(type.fields, node);
   const Bases bases(type, lookup, header);
   bases.rename(scope);
   bases.settle(scope);
-  settle(type.fields, scope);
+  for (std::size_t i = 0; i < type.fields.size(); ++i) {
+    scope.keep(i, [&](const Member& one) { return cxxNameOf(one) == type.fields[i].name; });
+  }
+  scope.nameOthers();
 }
 
 void settle(model::Enum& type, const Node* node) {
   Scope scope(type.enumerators, node);
-  settle(type.enumerators, scope);
-}
-
-/// Names the commands or the events that a contract declares itself. What it inherits is named
-/// where it is declared.
-template <class Declared>
-void settleOwn(std::vector<Declared>& declared, const Node* node) {
-  Scope scope(declared, node);
-  std::set<std::string> generated;
-  for (std::size_t i = 0; i < declared.size(); ++i) {
-    if (declared[i].inheritedFrom.empty()) {
-      declared[i].hasTwin = !generated.insert(model::pascalCase(declared[i].name)).second;
-    } else {
-      scope.leave(i);
-    }
+  for (std::size_t i = 0; i < type.enumerators.size(); ++i) {
+    scope.keep(i, [&](const Member& one) { return cxxNameOf(one) == type.enumerators[i].name; });
   }
-  settle(declared, scope);
-}
-
-void settle(model::Interface& contract, const Lock* lock) {
-  const Node* const node = nodeOf(contract, lock);
-  settleOwn(contract.commands, node);
-  settleOwn(contract.events, nodeOf(contract, lock, "eventsOf"));
-  std::map<std::string, std::vector<Member>> parameters;
-  if (node != nullptr) {
-    for (const Member& one : node->members) parameters.emplace(one.name, one.parameters);
-  }
-  for (model::Command& command : contract.commands) {
-    if (!command.inheritedFrom.empty()) continue;
-    Scope scope(command.parameters, parameters[command.wireName]);
-    settle(command.parameters, scope);
-  }
-}
-
-/// Takes over the names of what is inherited from where it is declared.
-template <class Declared>
-void takeOver(std::vector<Declared>& declared, std::vector<Declared> model::Interface::*all,
-              const model::Lookup& lookup) {
-  for (Declared& one : declared) {
-    if (one.inheritedFrom.empty()) continue;
-    const model::Interface* const base = lookup.findInterface(one.inheritedFrom);
-    if (base == nullptr) continue;
-    for (const Declared& other : base->*all) {
-      if (other.name != one.name || !other.inheritedFrom.empty()) continue;
-      one.wireName = other.wireName;
-      one.hasTwin = other.hasTwin;
-      if constexpr (requires { one.parameters; }) one.parameters = other.parameters;
-    }
-  }
+  scope.nameOthers();
 }
 
 }  // namespace
@@ -303,14 +246,6 @@ model::Model settled(const model::Model& model, const Locks& committed) {
     for (model::Enum& type : result.headers[i].enums) settle(type, nodeOf(type, known));
     for (model::Struct& type : result.headers[i].structs) {
       settle(type, nodeOf(type, known), lookup, header);
-    }
-    for (model::Interface& contract : result.headers[i].interfaces) settle(contract, known);
-  }
-  const model::Lookup own(result);
-  for (model::Header& header : result.headers) {
-    for (model::Interface& contract : header.interfaces) {
-      takeOver(contract.commands, &model::Interface::commands, own);
-      takeOver(contract.events, &model::Interface::events, own);
     }
   }
   return result;

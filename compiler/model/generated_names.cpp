@@ -9,8 +9,7 @@ template <class Member>
 std::string memberStruct(const Interface& interface, const Member& member, const char* ending,
                          const Lookup& lookup) {
   const std::string& owner = member.inheritedFrom.empty() ? interface.name : member.inheritedFrom;
-  const std::string name = member.hasTwin ? "_" + member.name : pascalCase(member.name);
-  return generatedName(owner, lookup) + name + ending;
+  return generatedName(owner, lookup) + pascalCase(member.name) + ending;
 }
 
 }  // namespace

@@ -108,7 +108,6 @@ struct Parameter {
   std::string unit;         ///< "" = none said
   std::optional<std::pair<double, double>> range;
   Source source;
-  bool isNamed = false;  ///< name() says the name on the wire
 };
 
 /// Says how many of a command or event may wait where its header does not say it.
@@ -140,9 +139,7 @@ struct Command {
   std::optional<std::string> was;
   Documentation doc;
   Source source;
-  Source signature;      ///< from its name to the end of its parameters
-  bool isNamed = false;  ///< name() says the name on the wire
-  bool hasTwin = false;  ///< one before it is called alike but for capitals and underscores
+  Source signature;  ///< from its name to the end of its parameters
 };
 
 struct Event {
@@ -161,8 +158,6 @@ struct Event {
   std::optional<std::string> was;
   Documentation doc;
   Source source;
-  bool isNamed = false;  ///< name() says the name on the wire
-  bool hasTwin = false;  ///< one before it is called alike but for capitals and underscores
 };
 
 struct Interface {

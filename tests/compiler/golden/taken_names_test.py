@@ -1,7 +1,6 @@
 """What is generated compiles whatever its header calls its commands, events and parameters.
 
-They have names here that generated code uses itself, that functions, types and namespaces of the header have, or that
-differ where the wire makes no difference.
+They have names here that generated code uses itself, or that functions, types and namespaces of the header have.
 """
 
 import sys
@@ -85,31 +84,5 @@ class SUTURE_INTERFACE() News : public Words {
 }  // namespace scope
 """
 
-ALIKE = """\
-#pragma once
-#include <suture/annotate.h>
-
-namespace alike {
-
-class SUTURE_INTERFACE() Arm {
- public:
-  virtual ~Arm() = default;
-  SUTURE_COMMAND() virtual void set_gain(double a_b, double aB, double a_b_) = 0;
-  SUTURE_COMMAND() virtual void setGain(double value) = 0;
-  SUTURE_COMMAND() virtual int gain_of() const = 0;
-  SUTURE_COMMAND() virtual int gainOf() const = 0;
-  SUTURE_EVENT() suture::EventOf<int, double> go_on;
-  SUTURE_EVENT() suture::EventOf<int, double> goOn;
-};
-
-class SUTURE_INTERFACE() Leg : public Arm {
- public:
-  SUTURE_COMMAND() virtual void kick(int k_1, int k1) = 0;
-  SUTURE_EVENT() suture::EventOf<int> kicked;
-};
-
-}  // namespace alike
-"""
-
 if __name__ == "__main__":
-    sys.exit(compiled.main({"beside.h": BESIDE, "scope.h": SCOPE, "alike.h": ALIKE}))
+    sys.exit(compiled.main({"beside.h": BESIDE, "scope.h": SCOPE}))

@@ -5,8 +5,6 @@ class SUTURE_INTERFACE() Contract {
  public:
   SUTURE_COMMAND() virtual void set_gain(double gain) = 0;
   SUTURE_COMMAND() virtual void setGain(int gain) = 0;
-  SUTURE_COMMAND(name("home")) virtual void start(SUTURE_FIELD(name("value")) int a, SUTURE_FIELD(name("value")) int b) = 0;
-  SUTURE_COMMAND(name("home")) virtual void begin() = 0;
 };
 struct SUTURE_TYPE() Fields {
   int foo_bar = 0;
