@@ -281,7 +281,7 @@ class Comparison {
       } else if (name == "default") {
         say(Change::Default, Effect::None, defaultChange(old, now), name);
       } else {
-        const std::string consequence = consequenceOf(name, now.annotations);
+        const std::string consequence = consequenceOf(name, *after.node);
         const bool limit = !consequence.empty();
         say(limit ? Change::Limit : Change::Policy, limit ? Effect::Refusals : Effect::None,
             change + consequence, name);
@@ -314,12 +314,17 @@ class Comparison {
            "; where a message does not have it, it still is " + shown(now.defaultValue, "zero");
   }
 
-  static std::string consequenceOf(const std::string& annotation, const Annotations& now) {
+  static bool hasFallback(const Node& declaration) {
+    return std::any_of(
+        declaration.members.begin(), declaration.members.end(),
+        [](const Member& one) { return !one.removed() && one.annotations.contains("fallback"); });
+  }
+
+  static std::string consequenceOf(const std::string& annotation, const Node& now) {
     if (annotation == "range") return "; each side refuses what lies outside its own";
     if (annotation == "capacity") return "; each side refuses what exceeds its own";
-    if (annotation == "representation") return "; each side refuses what its own cannot count";
     if (annotation == "distinct") return "; a set refuses what is in it twice";
-    if (annotation == "fallback" && !now.contains("fallback")) {
+    if (annotation == "fallback" && !hasFallback(now)) {
       return "; peers of now refuse an enumerator that they do not know";
     }
     return "";

@@ -31,9 +31,6 @@ annotation unit @0x9cebc59597ba1262 (field, param) :Text;
 annotation period @0xe93a33fae94d72c2 (field, param, method) :Text;
 # break. Tick of the C++ duration in seconds, "1/1000"; the wire carries nanoseconds.
 
-annotation representation @0xa39eed24c2c063fe (field, param, method) :Text;
-# What counts a C++ duration, "Int8", where it has fewer bits than the wire: each end refuses what it cannot count.
-
 annotation clock @0xfdb2880c80660dd0 (field, param, method) :Text;
 # break. "steady" or "system"; the wire carries nanoseconds since the clock's epoch.
 

@@ -142,7 +142,6 @@ WantedNode wantedComposite(const model::Type& type, const model::Source& source,
     Member member = plain(names[i], wireType(element, lookup, header));
     member.annotations = typeAnnotations(element);
     member.annotations.erase("capacity");
-    member.annotations.erase("representation");
     member.annotations.erase("distinct");  // the name says it: "SetOfInt32"
     addMember(result, std::move(member));
   }

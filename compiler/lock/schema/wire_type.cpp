@@ -191,8 +191,6 @@ std::map<std::string, std::string> typeAnnotations(const Type& type) {
   if (leaf->shape == Shape::Duration) {
     add("period", quoted(std::to_string(leaf->periodNumerator) + "/" +
                          std::to_string(leaf->periodDenominator)));
-    const bool isNarrow = leaf->scalar != wireScalar(*leaf);
-    add("representation", isNarrow ? quoted(capnpScalar(leaf->scalar)) : "");
   }
   if (leaf->shape == Shape::TimePoint) {
     add("clock", quoted(leaf->clock == model::Clock::Steady ? "steady" : "system"));

@@ -103,7 +103,7 @@ struct JournalStateRow @0xb5363f8a2843600b $Meta.stateOf("shapes::Journal") {
 struct Spans @0xafff60048810c698 $Meta.cxx("shapes::Spans") {
   # Lasts as long as the types of C++ can count.
 
-  brief @0 :Float64 $Meta.period("1/1000") $Meta.representation("Float32");
+  brief @0 :Float64 $Meta.period("1/1000");
   endless @1 :Float64 = inf $Meta.period("1/1");
-  list @2 :List(Float64) $Meta.capacity([2]) $Meta.period("1/1") $Meta.representation("Float32");
+  list @2 :List(Float64) $Meta.capacity([2]) $Meta.period("1/1");
 }
