@@ -84,9 +84,7 @@ class Names {
     if (!interface.events.empty()) {
       add(Clash::Any, "k" + prefix + "EventCodecs", interface.source);
     }
-    for (const char* const function : {"load", "store", "isValid"}) {
-      add(Clash::NoFunction, function, interface.source);
-    }
+    if (any(interface.commands, takes)) add(Clash::NoFunction, "store", interface.source);
     for (const model::Command& command : interface.commands) {
       if (!takes(command)) continue;
       const std::string slot = model::argumentsStruct(interface, command, lookup_);
@@ -143,23 +141,13 @@ class Declared {
     spaces_ = std::move(inner);
   }
 
-  /// Tells if generated code would call the function for its own numbers, in the place of the
-  /// runtime's isValid().
-  static bool judgesNumbers(const clang::FunctionDecl* function) {
-    if (function->getNumParams() == 0 || function->getMinRequiredArguments() > 2) return false;
-    if (function->getNameAsString() != "isValid") return false;
-    const clang::QualType first = function->getParamDecl(0)->getType().getNonReferenceType();
-    return first->isRealFloatingType() || first->isTemplateTypeParmType();
-  }
-
   /// Tells if the declaration may stand beside a generated function.
   static bool isBeside(const clang::NamedDecl* declaration, Clash clash) {
     if (clash != Clash::NoFunction && clash != Clash::NoOverload) return false;
     // A struct may share its name with a function.
     if (llvm::isa<clang::TagDecl>(declaration)) return true;
     const auto* const function = declaration->getAsFunction();
-    if (!function) return false;
-    return clash == Clash::NoFunction ? !judgesNumbers(function) : function->getNumParams() > 0;
+    return function && (clash == Clash::NoFunction || function->getNumParams() > 0);
   }
 
   /// Leaves out what a user took over from the runtime with a using-declaration, because that is

@@ -21,8 +21,6 @@ struct ArmFirstPayload {};
 constexpr int kLegCommands = 1;
 int armCodec(int number);
 int legCodec();
-bool isValid(double number);
-bool isValid(const char* text);
 template <class T>
 struct SUTURE_TYPE() Box {
   T content{};
