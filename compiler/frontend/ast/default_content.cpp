@@ -3,7 +3,7 @@
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -67,7 +67,7 @@ class NanFinder : public clang::RecursiveASTVisitor<NanFinder> {
   bool found_ = false;
 };
 
-/// Is the outcome of a constructor such as std::vector(3, 1.0).
+/// Holds the outcome of a constructor such as std::vector(3, 1.0).
 struct Repeated {
   std::uint64_t count = 0;
   const clang::Expr* value = nullptr;  ///< null if it was not said
@@ -89,7 +89,7 @@ class ContentFinder {
 
   void visit(const clang::Expr* expression, const model::Type& type) {
     switch (type.shape) {
-      case Shape::Scalar: return addNumber(expression);
+      case Shape::Scalar: return addNumber(expression, type.scalar);
       case Shape::Text: return visitText(expression, type);
       case Shape::List:
       case Shape::Map: return visitList(expression, type);
@@ -101,20 +101,27 @@ class ContentFinder {
     }
   }
 
-  void addNumber(const clang::Expr* expression) {
+  /// Adds the number as a scalar of that kind holds it, since 0.7 is another number in a float.
+  void addNumber(const clang::Expr* expression, model::Scalar kind) {
     clang::Expr::EvalResult result;
     if (expression->isInstantiationDependent()) return;
     if (!expression->EvaluateAsRValue(result, context_)) return;
+    double number = 0;
     if (result.Val.isInt()) {
       const llvm::APSInt& value = result.Val.getInt();
-      content_.numbers.push_back(value.isSigned() ? static_cast<double>(value.getSExtValue())
-                                                  : static_cast<double>(value.getZExtValue()));
+      number = value.isSigned() ? static_cast<double>(value.getSExtValue())
+                                : static_cast<double>(value.getZExtValue());
     } else if (result.Val.isFloat()) {
       llvm::APFloat value = result.Val.getFloat();
       bool inexact = false;
       value.convert(llvm::APFloat::IEEEdouble(), llvm::APFloat::rmNearestTiesToEven, &inexact);
-      content_.numbers.push_back(value.convertToDouble());
+      number = value.convertToDouble();
+    } else {
+      return;
     }
+    if (kind == model::Scalar::Float32) number = static_cast<double>(static_cast<float>(number));
+    const bool isReal = kind == model::Scalar::Float32 || kind == model::Scalar::Float64;
+    content_.numbers.push_back(isReal ? number : std::trunc(number));
   }
 
   void compare(std::uint64_t length, const model::Type& type) {
@@ -124,6 +131,8 @@ class ContentFinder {
   void visitText(const clang::Expr* expression, const model::Type& type) {
     if (const clang::StringLiteral* const literal = literalIn(expression)) {
       compare(literal->getByteLength(), type);
+    } else if (const auto characters = listedIn(expression)) {
+      compare(characters->size(), type);
     } else if (const auto repeated = repeatedIn(expression)) {
       compare(repeated->count, type);
     }
@@ -144,11 +153,14 @@ class ContentFinder {
     }
   }
 
-  /// A range() and a further capacity() of a map are those of its values.
+  /// A range() of a map is that of its values, and so is a capacity() behind that of its keys.
   void visitElement(const clang::Expr* element, const model::Type& type) {
     if (type.shape != Shape::Map) return visit(element, type.element.front());
     const auto* const pair = firstIn<clang::CXXConstructExpr>(element);
-    if (pair != nullptr && pair->getNumArgs() == 2) visit(pair->getArg(1), type.element.back());
+    if (pair == nullptr || pair->getNumArgs() != 2) return;
+    const model::Type& key = type.element.front();
+    if (key.shape == Shape::Text) visitText(pair->getArg(0), key);
+    visit(pair->getArg(1), type.element.back());
   }
 
   void visitArray(const clang::Expr* expression, const model::Type& type) {
@@ -207,9 +219,11 @@ class ContentFinder {
     return std::nullopt;
   }
 
+  /// The number that an unordered container is made of counts its buckets.
   static bool takesCount(const clang::CXXConstructExpr* construct) {
     const clang::CXXConstructorDecl* const constructor = construct->getConstructor();
     return construct->getNumArgs() > 0 && constructor->getParent()->isInStdNamespace() &&
+           !constructor->getParent()->getName().starts_with("unordered_") &&
            constructor->getParamDecl(0)->getType()->isUnsignedIntegerType();
   }
 

@@ -60,5 +60,7 @@ struct Listed {
 SUTURE_EXTERNAL_TYPE(Listed, member(low, range(1, 2)), member(within, range(1, 2)));
 struct SUTURE_TYPE() AtItsBound {
   SUTURE_FIELD(range(0, 0.1)) float rounded = 0.1F;
+  SUTURE_FIELD(range(0, 0.7)) std::optional<float> held = 0.7;
+  SUTURE_FIELD(range(0, 1)) std::optional<int> cut = 1.5;
 };
 }  // namespace demo
