@@ -66,7 +66,9 @@ TEST(Registry, AProcessThatMissesRenewalsIsSilent) {
   EXPECT_EQ(registry.find("left"), nullptr);
   EXPECT_TRUE(registry.list().processes.at(0).silent);
   const std::string text = registry.unknown("left", 0).text;
-  EXPECT_NE(text.find("process 4711 on theatre has not renewed its name in time"), std::string::npos) << text;
+  EXPECT_NE(text.find("process 4711 on theatre has not renewed its name in time"),
+            std::string::npos)
+      << text;
   EXPECT_TRUE(registry.renew("left", *generation));
   ASSERT_NE(registry.find("left"), nullptr);
   EXPECT_FALSE(registry.list().processes.at(0).silent);
