@@ -25,7 +25,7 @@ enum class Change {
   Kind,     ///< such as a struct that became an enum
   Type,
   Meaning,    ///< an annotation that says what bytes mean (kMeaningful)
-  Limit,      ///< a range, a capacity, a set instead of a list
+  Limit,      ///< a range, a capacity, a fallback() that is gone, a set instead of a list
   Policy,     ///< any other annotation: a queue, `latest()`, the name in C++
   Default,    ///< in C++; the schema's own default never changes while the type stays
   Parameter,  ///< one is gone
