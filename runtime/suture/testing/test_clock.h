@@ -34,7 +34,7 @@ struct TestClockOptions {
   std::uint64_t seed = 0;
   /// Keeps what happens for TestClock::trace(). An hour of a system takes gigabytes.
   bool traced = false;
-  /// How much real time the process may take without that any of its threads sleeps or is woken,
+  /// How long the process may run in real time while none of its threads sleeps or is woken,
   /// before they are named on standard error.
   std::chrono::nanoseconds patience = std::chrono::seconds(10);
   /// Is called when something happens that must not: a thread found work at a deadline that exists
