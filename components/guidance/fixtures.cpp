@@ -78,7 +78,8 @@ Vector3d KnotFixtures::outward(int plane) const {
   return std::cos(angle) * across_[0] + std::sin(angle) * across_[1];
 }
 
-// What a fixture takes from one tip would else be made good by the other, whose operator rests.
+// Without these bounds the solver would make good with one tip, whose operator may rest, what a
+// fixture takes from the other.
 void KnotFixtures::forbidHaste(const TipPair& desired, double seconds,
                                Constraints& constraints) const {
   const Vector3d none = Vector3d::Zero();

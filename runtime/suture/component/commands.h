@@ -78,8 +78,8 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
   ///   AwaitingOperator    its provider was lost or faulted, and an operator has to resume it
   ///   Full                as many of this command wait as its queue takes; see room()
   ///   TooLarge, Invalid   an argument exceeds its capacity, or the contract does not admit it
-  /// What becomes of it later (Late, Superseded, NotPermitted ...) is counted in reports, and
-  /// start() tells it.
+  /// Reports count what becomes of it later (Late, Superseded, NotPermitted ...), and start() tells
+  /// it.
   Result<Nothing> operator()(Arguments... arguments) {
     return resultOf<Nothing>(send(0, arguments...));
   }

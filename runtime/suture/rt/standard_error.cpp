@@ -7,7 +7,7 @@
 
 namespace suture {
 
-// What poll() calls writable takes that many bytes (PIPE_BUF) without waiting.
+// A pipe or terminal that poll() calls writable takes PIPE_BUF bytes without waiting.
 bool printUnlessFull(std::string_view line) {
   pollfd room{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
   if (poll(&room, 1, 0) != 1 || room.revents != POLLOUT) return false;

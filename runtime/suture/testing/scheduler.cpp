@@ -131,7 +131,7 @@ void Scheduler::settle() {
   if (current != nullptr) current->owes.clear();
 }
 
-// What a thread brings in a cycle that takes long may be found before it rings, at the cycle's end.
+// A thread rings at the end of its cycle, so another may find what it has brought before that.
 void Scheduler::missedRing(const std::string& name) {
   if (options_.threads == Threads::Together) return;
   {

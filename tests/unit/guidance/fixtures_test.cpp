@@ -26,6 +26,18 @@ FixtureModel model() {
   return model;
 }
 
+/// Wishes anything.
+class WildHand {
+ public:
+  /// `size` is that of its steps along each axis, m.
+  WildHand(unsigned seed, double size) : random_(seed), step_(0, size) {}
+  Vector3d operator()() { return {step_(random_), step_(random_), step_(random_)}; }
+
+ private:
+  std::mt19937_64 random_;
+  std::normal_distribution<double> step_;
+};
+
 /// Has two tips 80 mm apart, whose mean has the knot below it.
 class Fixtures : public testing::Test {
  protected:
@@ -111,12 +123,10 @@ TEST_F(Fixtures, ARestingHandHoldsItsTip) {
 }
 
 TEST_F(Fixtures, NoTipGoesAgainstItsHand) {
-  std::mt19937_64 random(7);
-  std::normal_distribution<double> wild(0, 1e-4);
-  const auto any = [&] { return Vector3d(wild(random), wild(random), wild(random)); };
+  WildHand hand(7, 1e-4);
   place(0.02, Vector3d::Zero());
   for (int i = 0; i < 20'000; ++i) {
-    const TipPair wish{any(), any()}, step = move(wish);
+    const TipPair wish{hand(), hand()}, step = move(wish);
     knot_ += step.mean();
     for (const auto& [wished, made] : {std::pair{wish.left, step.left}, {wish.right, step.right}}) {
       ASSERT_GE(wished.dot(made), -1e-15) << "in cycle " << i;
@@ -151,12 +161,10 @@ TEST_F(Fixtures, ATipStopsAtTheTissue) {
 // Whatever the hands do, no row is missed: what its step leads to counts, not what the solver says.
 // And the solver answers: a step of none for such wishes would be a failure that it hides.
 TEST_F(Fixtures, HoldForRandomWishes) {
-  std::mt19937_64 random(3);
-  std::normal_distribution<double> wild(0, 3e-4);
-  const auto any = [&] { return Vector3d(wild(random), wild(random), wild(random)); };
+  WildHand hand(3, 3e-4);
   place(0.02, Vector3d::Zero());
   for (int i = 0; i < 20'000; ++i) {
-    const TipPair step = move({any(), any()});
+    const TipPair step = move({hand(), hand()});
     ASSERT_GT(step.left.norm() + step.right.norm(), 0) << "in cycle " << i;
     ASSERT_LE(std::max(step.left.cwiseAbs().maxCoeff(), step.right.cwiseAbs().maxCoeff()),
               model().speed * kCycle + 1e-12);

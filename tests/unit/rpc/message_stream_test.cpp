@@ -383,27 +383,19 @@ TEST_F(MessageStreamTest, AStuckPeersCostIsBounded) {
   }
 }
 
-TEST_F(MessageStreamTest, AStuckStrangersCostIsBounded) {
-  const auto known = std::make_shared<bool>(false);
-  open({}, {.known = known, .share = nullptr});
-  auto reading = bounded(read());
+TEST_F(MessageStreamTest, AStuckStrangersCostIsBoundedUntilItIsKnown) {
   capnp::MallocMessageBuilder message;
   message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(15 << 10);
-  stream_->write(message.getSegmentsForOutput());
-  EXPECT_FALSE(reading.poll(port_.scope()));
-  for (int i = 0; i < 2; ++i) stream_->write(message.getSegmentsForOutput());
-  EXPECT_TRUE(reading.wait(port_.scope()) == nullptr);
-}
-
-TEST_F(MessageStreamTest, APeerThatIsKnownByNowIsNoStranger) {
-  const auto known = std::make_shared<bool>(false);
-  open({}, {.known = known, .share = nullptr});
-  auto reading = bounded(read());
-  *known = true;
-  capnp::MallocMessageBuilder message;
-  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(1 << 20);
-  stream_->write(message.getSegmentsForOutput());
-  EXPECT_FALSE(reading.poll(port_.scope()));
+  for (const bool becomesKnown : {false, true}) {
+    const auto known = std::make_shared<bool>(false);
+    open({}, {.known = known, .share = nullptr});
+    auto reading = bounded(read());
+    stream_->write(message.getSegmentsForOutput());
+    EXPECT_FALSE(reading.poll(port_.scope()));
+    *known = becomesKnown;
+    for (int i = 0; i < 2; ++i) stream_->write(message.getSegmentsForOutput());
+    EXPECT_EQ(reading.poll(port_.scope()), !becomesKnown);
+  }
 }
 
 // A peer that says it is done keeps its link open until all is sent, so it could keep it for ever.
