@@ -75,7 +75,7 @@ TEST_F(ArmControllerTest, StartsDisabledParkedAndSaysSo) {
   EXPECT_TRUE(arm_.measured_cp().valid);
 }
 
-TEST_F(ArmControllerTest, AServoStreamThatFallsSilentEndsAsHold) {
+TEST_F(ArmControllerTest, AServoStreamEndsAsHold) {
   makeReady();
   const auto follow = [&](const char* activity, const auto& servo) {
     for (int i = 0; i < 20; ++i) {
@@ -97,7 +97,7 @@ TEST_F(ArmControllerTest, AServoStreamThatFallsSilentEndsAsHold) {
   follow("servo_jp", [&] { arm_.servo_jp(joints); });
 }
 
-TEST_F(ArmControllerTest, AServoGoalsSilenceDoesNotEndALaterMove) {
+TEST_F(ArmControllerTest, AServoSilenceEndsNoLaterMove) {
   makeReady();
   arm_.servo_cp(goalAt({0.001, 0, 0}));
   cycles(1);
@@ -182,7 +182,7 @@ TEST_F(ArmControllerTest, RefusesWhatIsNotAGoal) {
   EXPECT_TRUE(arm_.setpoint_cp().pose.isApprox(before.pose));
 }
 
-TEST_F(ArmControllerTest, MovesSmoothlyWithinHalfOfTheRateLimit) {
+TEST_F(ArmControllerTest, MovesSmoothlyBelowTheRateLimit) {
   makeReady();
   Joints goal = psmModel().home;
   goal[0] = 1.0;
@@ -210,7 +210,7 @@ TEST_F(ArmControllerTest, ServoReplacesAMove) {
   EXPECT_TRUE(measured().isApprox(psmModel().home, 1e-9));
 }
 
-TEST_F(ArmControllerTest, DisableStopsAtOnceAndNeedsEnableToGoOn) {
+TEST_F(ArmControllerTest, DisableStopsItUntilEnabled) {
   makeReady();
   arm_.servo_cp(goalAt({0.01, 0, 0}));
   cycles(3);

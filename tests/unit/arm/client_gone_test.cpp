@@ -33,7 +33,7 @@ class ClientGone : public CrtkArmTest {
   const suture::ConnectedClient teleop_{"console:Teleop/Slave"}, gui_{"gui:Panel/Arm"};
 };
 
-TEST_F(ClientGone, EndsItsStreamAsHoldInTheSameCycle) {
+TEST_F(ClientGone, EndsItsStreamAtOnceAsHold) {
   JointVelocityGoal rates;
   rates.goal.assign(6, 0.1);
   JointEffortGoal efforts;
@@ -64,7 +64,7 @@ TEST_F(ClientGone, LetsAMoveGoOn) {
   EXPECT_TRUE(heard_.warnings.empty());
 }
 
-TEST_F(ClientGone, IsOfNoConcernWhenAnotherStreamIsFollowed) {
+TEST_F(ClientGone, AnotherStreamIsNotAffected) {
   arm_.commander = &teleop_;
   crtk_.servo_jp(joints(0.11));
   arm_.commander = &gui_;
@@ -74,7 +74,7 @@ TEST_F(ClientGone, IsOfNoConcernWhenAnotherStreamIsFollowed) {
   EXPECT_EQ(activity(), "servo_jp");
 }
 
-TEST_F(ClientGone, IsOfNoConcernOnceItsStreamHasEnded) {
+TEST_F(ClientGone, AnEndedStreamIsNotAffected) {
   arm_.commander = &teleop_;
   crtk_.servo_jp(joints(0.11));
   crtk_.pause();

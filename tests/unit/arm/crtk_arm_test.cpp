@@ -15,7 +15,7 @@ TEST_F(CrtkArmTest, ConfigurationSaysWhatTheJointsAre) {
   EXPECT_LT(configuration.position_min[0], configuration.position_max[0]);
 }
 
-TEST_F(CrtkArmTest, StateCommandsAreThoseOfTheStateMachine) {
+TEST_F(CrtkArmTest, StateCommandsFollowTheStateMachine) {
   crtk_.state_command("pause");
   EXPECT_EQ(crtk_.operating_state().state, ArmState::Paused);
   crtk_.servo_jp(joints(0.2));
@@ -142,7 +142,7 @@ TEST_F(CrtkArmTest, AMovingArmKeepsItsBase) {
 }
 
 /// The goals of a stream that still come were made in the previous frame.
-TEST_F(CrtkArmTest, AStreamOfTipsKeepsTheBaseUntilItIsSilent) {
+TEST_F(CrtkArmTest, AStreamOfTipsKeepsItsBase) {
   const std::vector<std::pair<const char*, std::function<void()>>> rests{
       {"hold", [this] { crtk_.hold(); }}, {"pause", [this] { crtk_.pause(); }}, {"disable", [this] {
                                                                                    crtk_.disable();
@@ -221,7 +221,7 @@ TEST_F(CrtkArmTest, JacobiansTurnJointsIntoTips) {
   EXPECT_LT(((matrix * rates).head<3>() - crtk_.measured_cv().linear).norm(), 1e-12);
 }
 
-TEST_F(CrtkArmTest, GravityCompensationIsToldAndOrderedInEveryState) {
+TEST_F(CrtkArmTest, GravityCompensationIsToldInEveryState) {
   EXPECT_TRUE(crtk_.motorOrder().compensation) << "at first";
   crtk_.use_gravity_compensation(false);
   cycles(1);
@@ -258,7 +258,7 @@ TEST(PeriodStatistics, AreOfTheLastWholeSecond) {
   EXPECT_NEAR(statistics.last().period_deviation, 0, 1e-6);
 }
 
-TEST_F(CrtkArmTest, ABaseOfSixDigitsIsMadeExact) {
+TEST_F(CrtkArmTest, ARoundedBaseIsMadeExact) {
   TransformStamped base = baseAt({0.1, 0, 0});
   base.transform.linear().topLeftCorner<2, 2>() << 0.707107, -0.707107, 0.707107, 0.707107;
   crtk_.set_base_frame(base);
@@ -269,7 +269,7 @@ TEST_F(CrtkArmTest, ABaseOfSixDigitsIsMadeExact) {
   EXPECT_EQ(crtk_.operating_state().sub_state, "servo_cp");
 }
 
-TEST_F(CrtkArmTest, AMoveAfterAPauseBeginsAtTheJoints) {
+TEST_F(CrtkArmTest, APausedMoveBeginsAtTheJoints) {
   crtk_.unhome();
   cycles(1);
   heard_ = {};
@@ -290,7 +290,7 @@ TEST_F(CrtkArmTest, AMoveAfterAPauseBeginsAtTheJoints) {
   EXPECT_TRUE(crtk_.operating_state().is_homed);
 }
 
-TEST_F(CrtkArmTest, AMoveOfBeforeAPauseEndsWithIt) {
+TEST_F(CrtkArmTest, APauseEndsAnEarlierMove) {
   std::vector<double> goal = positions();
   goal[0] += 0.5;
   crtk_.move_jp({goal, {}});

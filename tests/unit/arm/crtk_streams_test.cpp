@@ -103,7 +103,7 @@ TEST_F(CrtkStreamsTest, AVelocityKeepsToItsAccelerations) {
   EXPECT_NEAR(travel(goal, 10), -0.55e-3, 1e-9) << "and back";
 }
 
-TEST_F(CrtkStreamsTest, AVelocityThatTurnsWithoutADecelerationKeepsItsAcceleration) {
+TEST_F(CrtkStreamsTest, ATurningVelocityKeepsItsAcceleration) {
   JointVelocityGoal goal;
   goal.goal.assign(6, 0.0);
   goal.goal[0] = 0.1;
@@ -113,7 +113,7 @@ TEST_F(CrtkStreamsTest, AVelocityThatTurnsWithoutADecelerationKeepsItsAccelerati
   EXPECT_NEAR(travel(goal, 10), -0.55e-3, 1e-9) << "it stands at once, and no more";
 }
 
-TEST_F(CrtkStreamsTest, AStreamThatBeginsAnewBeginsFromRest) {
+TEST_F(CrtkStreamsTest, ANewStreamBeginsFromRest) {
   JointVelocityGoal goal;
   goal.goal.assign(6, 0.0);
   goal.goal[0] = 0.1;
@@ -123,7 +123,7 @@ TEST_F(CrtkStreamsTest, AStreamThatBeginsAnewBeginsFromRest) {
   EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
 }
 
-TEST_F(CrtkStreamsTest, ATwistOutOfReachIsReportedOnceEachTime) {
+TEST_F(CrtkStreamsTest, AnUnreachableTwistIsReportedOnce) {
   // Only another posture of the arm reaches where this leads in one cycle.
   const Eigen::Isometry3d from = crtk_.setpoint_cp().pose,
                           to = crtk_.forward_kinematics({{-0.9, 0.3, 0.1, 3, 0.5, -0.5}, {}}).pose;
@@ -147,7 +147,7 @@ TEST_F(CrtkStreamsTest, ATwistOutOfReachIsReportedOnceEachTime) {
   EXPECT_EQ(heard_.codes.size(), 2u) << "what begins anew is news";
 }
 
-TEST_F(CrtkStreamsTest, ANewStreamsAxesDoNotTurnTheSpeed) {
+TEST_F(CrtkStreamsTest, NewAxesDoNotTurnTheSpeed) {
   TransformStamped base;
   base.transform.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   base.valid = true;
@@ -184,7 +184,7 @@ TEST_F(CrtkStreamsTest, ATwistKeepsToItsAcceleration) {
   expectMoved(before, {0.21e-3, 0.4e-3, 0});
 }
 
-TEST_F(CrtkStreamsTest, ATwistMovesNoJointFasterThanItCan) {
+TEST_F(CrtkStreamsTest, ATwistKeepsEachJointsRate) {
   TwistGoal goal;
   goal.linear = {50, 50, 0};
   std::vector<double> before = positions();
@@ -245,7 +245,7 @@ TEST_F(CrtkStreamsTest, HoldEndsAStream) {
   EXPECT_EQ(setpoint(0), held);
 }
 
-TEST_F(CrtkStreamsTest, ATwistMovesTheTipInTheReferenceFrame) {
+TEST_F(CrtkStreamsTest, ATwistMovesInTheReferenceFrame) {
   TwistGoal goal;
   goal.linear = {0.02, 0, 0};
   const PoseStamped before = crtk_.setpoint_cp();

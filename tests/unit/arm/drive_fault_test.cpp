@@ -41,7 +41,7 @@ class DriveFaultTest : public CrtkArmTest {
   double truePitch() const { return joints_.position()[kPitch]; }
 };
 
-TEST_F(DriveFaultTest, AJumpingEncoderIsAFaultAndIsNamed) {
+TEST_F(DriveFaultTest, AJumpingEncoderIsANamedFault) {
   joints_.displace(kPitch, 0.05);
   cycles(3);
   expectFault(ArmWarning::EncoderJump, "b: its encoder jumped");
@@ -61,7 +61,7 @@ TEST_F(DriveFaultTest, AWrongEncoderMovesNoJoint) {
   EXPECT_NEAR(truePitch(), before, 1e-9);
 }
 
-TEST_F(DriveFaultTest, AMovingJointStopsWhereItReallyIs) {
+TEST_F(DriveFaultTest, AMovingJointStopsWhereItIs) {
   JointVelocityGoal rate;
   rate.goal.assign(6, 0);
   rate.goal[kPitch] = 1;
@@ -116,7 +116,7 @@ TEST_F(DriveFaultTest, MotionAtFullSpeedIsNoJump) {
 }
 
 // The clock of drives in another process is an estimate, which steps when a better one comes.
-TEST_F(DriveFaultTest, AStepOfTheDrivesClockIsNoJump) {
+TEST_F(DriveFaultTest, ASteppingClockIsNoJump) {
   JointVelocityGoal fastest;
   fastest.goal.assign(6, 0);
   fastest.goal[kPitch] = 4;
@@ -131,7 +131,7 @@ TEST_F(DriveFaultTest, AStepOfTheDrivesClockIsNoJump) {
   expectFault(ArmWarning::EncoderJump, "b: its encoder jumped");
 }
 
-TEST_F(DriveFaultTest, ItIsNotInFaultWhileItHasNoPower) {
+TEST_F(DriveFaultTest, HasNoFaultWithoutPower) {
   crtk_.disable();
   cycles(2);
   joints_.displace(kPitch, 0.05);
@@ -151,7 +151,7 @@ TEST_F(DriveFaultTest, AfterAJumpItIsNotHomed) {
   EXPECT_FALSE(crtk_.operating_state().is_homed);
 }
 
-TEST_F(DriveFaultTest, ALastingEffortAboveTheLimitIsAFault) {
+TEST_F(DriveFaultTest, ALastingHighEffortIsAFault) {
   joints_.draw(kPitch, -0.31);
   cycles(49);
   EXPECT_EQ(state(), ArmState::Enabled);
@@ -160,7 +160,7 @@ TEST_F(DriveFaultTest, ALastingEffortAboveTheLimitIsAFault) {
   expectFault(ArmWarning::OverCurrent, "b: its effort");
 }
 
-TEST_F(DriveFaultTest, AnEffortThatFallsBelowItsLimitMayRiseAnew) {
+TEST_F(DriveFaultTest, AFallenEffortMayRiseAgain) {
   for (int i = 0; i < 5; ++i) {
     joints_.draw(kPitch, 0.31);
     cycles(45);
@@ -231,7 +231,7 @@ TEST_F(DriveWatchTest, JudgesByTheTimeThatHasPassed) {
   EXPECT_EQ(fault->joint, 1);
 }
 
-TEST(DriveWatch, CountsAnEffortFromWhenItIsTooHigh) {
+TEST(DriveWatch, CountsFromTheFirstHighEffort) {
   DriveWatch<2> watch{{DriveBounds{.effort_limit = 1}, {}, {}}, {.overload_time = 0.1}};
   DriveReading<2> reading;
   const auto look = [&](double effort, suture::Duration later) {

@@ -37,7 +37,7 @@ class EffortTest : public CrtkArmTest {
   WrenchGoal wrench_;
 };
 
-TEST_F(EffortTest, IsWhatTheClientStreamsCutToWhatEachJointMayTake) {
+TEST_F(EffortTest, IsTheStreamWithinEachJointsLimit) {
   crtk_.servo_jf(goal_);
   cycles(1);
   Efforts expected;
@@ -56,7 +56,7 @@ TEST_F(EffortTest, LeavesJointsOutsideOfTheMaskHeld) {
   EXPECT_EQ(released(), 5);
 }
 
-TEST_F(EffortTest, AWrenchBecomesEffortsThatPressWithIt) {
+TEST_F(EffortTest, AWrenchBecomesMatchingEfforts) {
   const kinematics::SpatialVector wrench{0.1, 0.2, -0.3, 0, 0, 0};
   wrench_.force = wrench.head<3>();
   crtk_.spatial_servo_cf(wrench_);
@@ -88,7 +88,7 @@ TEST_F(EffortTest, LetsTheSetPointFollowTheJoints) {
   EXPECT_NEAR(setpoint(0), crtk_.measured_js().position[0], 1e-3);
 }
 
-TEST_F(EffortTest, EndsWithItsStreamAndWithTheState) {
+TEST_F(EffortTest, EndsWithItsStreamAndState) {
   crtk_.servo_jf(goal_);
   cycles(90);
   EXPECT_EQ(released(), 6);
@@ -111,7 +111,7 @@ TEST_F(EffortTest, EndsWithItsStreamAndWithTheState) {
   expectHeld("when the drives have stopped");
 }
 
-TEST_F(EffortTest, IsRefusedUnlessTheArmIsEnabledAndKnowsItsTip) {
+TEST_F(EffortTest, RequiresAnEnabledArmWithKnownTip) {
   goal_.effort.pop_back();
   crtk_.servo_jf(goal_);
   cycles(1);

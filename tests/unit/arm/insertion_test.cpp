@@ -62,7 +62,7 @@ TEST_F(InsertionTest, BeginsBeyondItsBuffer) {
   EXPECT_FALSE(obeysServo());
 }
 
-TEST_F(InsertionTest, AStreamEndsWhenItIsNotInserted) {
+TEST_F(InsertionTest, AStreamEndsWithoutInsertion) {
   insert(0.05);
   TwistGoal outwards;
   outwards.linear = -0.02 * crtk_.setpoint_cp().pose.translation().normalized();

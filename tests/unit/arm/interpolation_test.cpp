@@ -13,7 +13,7 @@ class InterpolationTest : public CrtkArmTest {
   static JointGoal yaw(double by) { return {{by, 0, 0, 0, 0, 0}, {}}; }
 };
 
-TEST_F(InterpolationTest, TheFirstGoalIsReachedAtTheRateLimit) {
+TEST_F(InterpolationTest, TheFirstGoalKeepsTheRateLimit) {
   crtk_.interpolate_jr({{0.4, 0.04, 0, 0, 0, 0}, {}});
   cycles(50);
   EXPECT_NEAR(setpoint(0), 0.3, 1e-9);
@@ -25,7 +25,7 @@ TEST_F(InterpolationTest, TheFirstGoalIsReachedAtTheRateLimit) {
   EXPECT_EQ(crtk_.operating_state().sub_state, "interpolate_jr");
 }
 
-TEST_F(InterpolationTest, AStreamIsFollowedAtAConstantRate) {
+TEST_F(InterpolationTest, AStreamIsFollowedSteadily) {
   JointGoal goal{positions(), {}};
   double last = setpoint(0);
   for (int i = 0; i < 10; ++i) {
@@ -43,7 +43,7 @@ TEST_F(InterpolationTest, AStreamIsFollowedAtAConstantRate) {
   }
 }
 
-TEST_F(InterpolationTest, RelativeGoalsAddUpThoughTheyComeInOneCycle) {
+TEST_F(InterpolationTest, RelativeGoalsOfOneCycleAddUp) {
   const double before = setpoint(0);
   crtk_.interpolate_jr(yaw(0.01));
   crtk_.interpolate_jr(yaw(0.01));
@@ -56,7 +56,7 @@ TEST_F(InterpolationTest, RelativeGoalsAddUpThoughTheyComeInOneCycle) {
   expectMoved(pose, {0, 0.001, 0.001});
 }
 
-TEST_F(InterpolationTest, ASecondGoalInACycleKeepsTheRate) {
+TEST_F(InterpolationTest, ASecondGoalKeepsTheRate) {
   for (int i = 0; i < 3; ++i) {
     crtk_.interpolate_jr(yaw(0.01));
     cycles(50);
@@ -68,7 +68,7 @@ TEST_F(InterpolationTest, ASecondGoalInACycleKeepsTheRate) {
   EXPECT_NEAR(setpoint(0) - before, 0.01 / 50, 1e-6);
 }
 
-TEST_F(InterpolationTest, AGoalThatOnlyAnotherPostureReachesIsRefused) {
+TEST_F(InterpolationTest, AnotherPosturesGoalIsRefused) {
   const PoseStamped before = crtk_.setpoint_cp();
   PoseStamped goal = crtk_.forward_kinematics({{-0.9, 0.3, 0.1, 3, 0.5, -0.5}, {}});
   crtk_.interpolate_cp(goal);
@@ -89,7 +89,7 @@ TEST_F(InterpolationTest, ACartesianGoalIsReached) {
   expectMoved(before, {0.003, 0.002, 0});
 }
 
-TEST_F(InterpolationTest, AFarGoalIsNoStepTooFar) {
+TEST_F(InterpolationTest, AFarGoalIsAccepted) {
   crtk_.interpolate_jr(yaw(0.6));
   crtk_.servo_jr(yaw(0.6));
   cycles(1);

@@ -45,7 +45,7 @@ class InterruptionTest : public CrtkArmTest {
   static constexpr double kMoveStep = 0.002;  // rad a cycle: moves use half of the rate
 };
 
-TEST_F(InterruptionTest, AMoveWaitsForThePowerOfTheDrives) {
+TEST_F(InterruptionTest, AMoveAwaitsTheDrivesPower) {
   joints_.force(DrivePower::Off);
   const double before = joint();
   const JointGoal goal = yawBy(0.5);
@@ -60,7 +60,7 @@ TEST_F(InterruptionTest, AMoveWaitsForThePowerOfTheDrives) {
   EXPECT_NEAR(joint(), goal.position[0], 1e-6);
 }
 
-TEST_F(InterruptionTest, NoArmIsHomedBeforeItHasPower) {
+TEST_F(InterruptionTest, NoArmIsHomedWithoutPower) {
   crtk_.move_jp(yawBy(0.5));
   cycles(2000);
   crtk_.unhome();
@@ -73,7 +73,7 @@ TEST_F(InterruptionTest, NoArmIsHomedBeforeItHasPower) {
   EXPECT_TRUE(crtk_.operating_state().is_homed);
 }
 
-TEST_F(InterruptionTest, AnInterpolatedGoalWaitsForThePowerOfTheDrives) {
+TEST_F(InterruptionTest, AnInterpolatedGoalAwaitsPower) {
   joints_.force(DrivePower::Off);
   const double before = joint();
   crtk_.interpolate_jp(yawBy(0.3));
@@ -84,7 +84,7 @@ TEST_F(InterruptionTest, AnInterpolatedGoalWaitsForThePowerOfTheDrives) {
   EXPECT_NEAR(setpoint(0), before + 0.3, 1e-9);
 }
 
-TEST_F(InterruptionTest, AMoveEndsWhereItsDrivesDroppedItsGoals) {
+TEST_F(InterruptionTest, ADroppedGoalEndsItsMove) {
   crtk_.trajectory_j_set_ratio(0.1);
   crtk_.move_jp(yawBy(0.3));
   cycles(500);
@@ -98,7 +98,7 @@ TEST_F(InterruptionTest, AMoveEndsWhereItsDrivesDroppedItsGoals) {
   EXPECT_NEAR(setpoint(0), there, 1e-3);
 }
 
-TEST_F(InterruptionTest, AMoveGoesOnAfterAShorterSilence) {
+TEST_F(InterruptionTest, AShorterSilenceInterruptsNoMove) {
   crtk_.trajectory_j_set_ratio(0.1);
   crtk_.move_jp(yawBy(0.3));
   cycles(500);
@@ -109,7 +109,7 @@ TEST_F(InterruptionTest, AMoveGoesOnAfterAShorterSilence) {
   EXPECT_EQ(crtk_.operating_state().sub_state, "moving");
 }
 
-TEST_F(InterruptionTest, AnInterpolatedGoalThatComesAfterAPauseIsReached) {
+TEST_F(InterruptionTest, AGoalAfterAPauseIsReached) {
   const double before = setpoint(0);
   time_ += 150ms;  // longer than the drives go on with a goal
   crtk_.interpolate_jp(yawBy(0.1));

@@ -87,7 +87,7 @@ TEST_F(JawTest, ServosNoFasterThanItsRate) {
   EXPECT_TRUE(said_.codes.empty());
 }
 
-TEST_F(JawTest, GoesToALimitAndSaysSoOnce) {
+TEST_F(JawTest, StopsAtALimitAndSaysSo) {
   for (int i = 0; i < 1000; ++i) {
     jaw_.servo_jp(angle(-5));
     jawCycles(1);
@@ -105,7 +105,7 @@ TEST_F(JawTest, AStreamThatFallsSilentLeavesIt) {
   EXPECT_EQ(setpoint(), held);
 }
 
-TEST_F(JawTest, AnEffortMovesItAtASpeedProportionalToIt) {
+TEST_F(JawTest, AnEffortSetsItsSpeed) {
   const double before = setpoint();
   for (int i = 0; i < 50; ++i) {
     jaw_.servo_jf(effort(-kJaw.effort_limit / 2));
@@ -130,7 +130,7 @@ TEST_F(JawTest, MovesSmoothlyAndSaysThatItArrived) {
   EXPECT_DOUBLE_EQ(setpoint(), 1);
 }
 
-TEST_F(JawTest, AMoveAfterAPauseBeginsWhereItIs) {
+TEST_F(JawTest, APausedMoveBeginsWhereItIs) {
   time_ += 150ms;  // longer than the drives go on with a goal
   jaw_.move_jp(angle(1));
   jawCycles(1);
@@ -140,7 +140,7 @@ TEST_F(JawTest, AMoveAfterAPauseBeginsWhereItIs) {
   EXPECT_DOUBLE_EQ(setpoint(), 1);
 }
 
-TEST_F(JawTest, AMoveWaitsForThePowerOfTheDrives) {
+TEST_F(JawTest, AMoveAwaitsTheDrivesPower) {
   power_ = DrivePower::Off;
   jaw_.move_jp(angle(1));
   jawCycles(3000);
@@ -160,7 +160,7 @@ TEST_F(JawTest, AMoveThatIsReplacedSaysSo) {
   EXPECT_EQ(said_.goals, std::vector{false});
 }
 
-TEST_F(JawTest, IgnoresMotionWithoutAnEnabledArmAndSaysSoOnce) {
+TEST_F(JawTest, IgnoresMotionOfADisabledArm) {
   crtk_.pause();
   jawCycles(1);
   const double before = setpoint();
@@ -174,7 +174,7 @@ TEST_F(JawTest, IgnoresMotionWithoutAnEnabledArmAndSaysSoOnce) {
   EXPECT_EQ(said_.codes, std::vector{ArmWarning::NotEnabled});
 }
 
-TEST_F(JawTest, StopsWhereItIsWhenItsArmDoes) {
+TEST_F(JawTest, StopsWithItsArm) {
   jaw_.move_jp(angle(1));
   jawCycles(50);
   measured_ = 0.22;
@@ -195,7 +195,7 @@ TEST_F(JawTest, RefusesWhatIsNoGoal) {
   EXPECT_EQ(said_.codes, (std::vector{ArmWarning::OutOfReach, ArmWarning::Malformed}));
 }
 
-TEST_F(JawTest, HoldsWhenTheClientOfItsStreamIsGone) {
+TEST_F(JawTest, HoldsWhenItsClientIsGone) {
   const suture::ConnectedClient teleop{"console:Teleop/Jaw"}, gui{"gui:Panel/Jaw"};
   arm_.commander = &teleop;
   jaw_.servo_jp(angle(1));

@@ -38,7 +38,7 @@ class RandomMoves : public testing::Test {
   Triple goal_;
 };
 
-TEST_F(RandomMoves, BeginAtTheJointsAndRestAtTheGoal) {
+TEST_F(RandomMoves, BeginAtJointsAndRestAtGoals) {
   for (int n = 0; n < kMoves; ++n) {
     const Move move = anyMove();
     constexpr double kStep = 1e-6;
@@ -91,7 +91,7 @@ TEST_F(RandomMoves, KeepTheLimitsOfPositionToo) {
   }
 }
 
-TEST(JointMove, BrakesHarderWhereNothingElseKeepsTheLimitOfPosition) {
+TEST(JointMove, BrakesHarderOnlyForTheLimit) {
   Move::Limits limits = kLimits;
   limits.upper = Triple(0.1, 0, 1);
   const Move move({Triple::Zero(), {4, 2, 0}}, {0, -1, 0}, limits);
@@ -103,7 +103,7 @@ TEST(JointMove, BrakesHarderWhereNothingElseKeepsTheLimitOfPosition) {
   EXPECT_NEAR(farthest, 0.1, 1e-12) << "full deceleration would take 0.2";
 }
 
-TEST_F(RandomMoves, TurnRoundOnceAtMostAndEndMonotonically) {
+TEST_F(RandomMoves, TurnRoundAtMostOnce) {
   for (int n = 0; n < kMoves; ++n) {
     const Move move = anyMove();
     const double dt = move.duration() / kSamples;
@@ -135,7 +135,7 @@ TEST_F(RandomMoves, AreStraightFromRest) {
   }
 }
 
-TEST(JointMove, TakesAsLongAsTheSlowestJointNeeds) {
+TEST(JointMove, TakesTheSlowestJointsTime) {
   const Move::Start rest{Triple::Zero()};
   EXPECT_NEAR(Move(rest, {0, 1, 0}, kLimits).duration(), 1.875, 1e-9) << "its rate: half of 2";
   EXPECT_NEAR(Move(rest, {0, 0.01, 0}, kLimits).duration(), std::sqrt(0.001 * 10 / std::sqrt(3)),

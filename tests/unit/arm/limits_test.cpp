@@ -93,15 +93,15 @@ class LimitsTest : public CrtkArmTest {
   const kinematics::Chain<6> chain_ = kinematics::psm();
 };
 
-TEST_F(LimitsTest, AJointGoalBeyondALimitSlidesAlongIt) {
+TEST_F(LimitsTest, AJointGoalSlidesAlongALimit) {
   expectSlides([&](const Joints& q) { crtk_.servo_jp(toGoal(q)); });
 }
 
-TEST_F(LimitsTest, APoseBeyondALimitSlidesAlongIt) {
+TEST_F(LimitsTest, APoseSlidesAlongALimit) {
   expectSlides([&](const Joints& q) { crtk_.servo_cp(toPose(q)); });
 }
 
-TEST_F(LimitsTest, AVelocityThatLeadsBeyondALimitSlidesAlongIt) {
+TEST_F(LimitsTest, AVelocitySlidesAlongALimit) {
   expectStreamSlides([&](const Joints& rate) {
     JointVelocityGoal goal;
     goal.goal.assign(rate.data(), rate.data() + rate.size());
@@ -109,7 +109,7 @@ TEST_F(LimitsTest, AVelocityThatLeadsBeyondALimitSlidesAlongIt) {
   });
 }
 
-TEST_F(LimitsTest, ATwistThatLeadsBeyondALimitSlidesAlongIt) {
+TEST_F(LimitsTest, ATwistSlidesAlongALimit) {
   expectStreamSlides([&](const Joints& rate) {
     const Joints q = Joints::Map(positions().data());
     const kinematics::SpatialVector twist = chain_.jacobian(q) * rate;
@@ -120,7 +120,7 @@ TEST_F(LimitsTest, ATwistThatLeadsBeyondALimitSlidesAlongIt) {
   });
 }
 
-TEST_F(LimitsTest, SlidingEndsWithWhateverTheArmDoesInstead) {
+TEST_F(LimitsTest, SlidingEndsWithAnotherCommand) {
   crtk_.servo_jp(toGoal(at(deepest() + 0.01)));
   cycles(1);
   crtk_.hold();
@@ -157,7 +157,7 @@ struct ServoHorizon : LimitsTest {
 };
 
 // Each goal lies near the one before it.
-TEST_F(ServoHorizon, RefusesAStreamThatIsFasterThanTheRates) {
+TEST_F(ServoHorizon, RefusesATooFastStream) {
   Joints goal = at(0.235);
   crtk_.servo_jp(toGoal(goal));
   cycles(1);

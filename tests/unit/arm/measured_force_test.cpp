@@ -39,7 +39,7 @@ class MeasuredForceTest : public CrtkArmTest {
   const kinematics::SpatialVector wrench_{1, -2, 3, 0.01, 0.02, -0.03};
 };
 
-TEST_F(MeasuredForceTest, IsWhatTheMotorsPressWithBesideCarryingTheArm) {
+TEST_F(MeasuredForceTest, IsTheEffortBesideTheWeight) {
   press(wrench_);
   const Wrench& spatial = crtk_.spatial_measured_cf();
   ASSERT_TRUE(spatial.valid);
@@ -53,7 +53,7 @@ TEST_F(MeasuredForceTest, IsWhatTheMotorsPressWithBesideCarryingTheArm) {
   EXPECT_LT((tip * body.torque - spatial.torque).norm(), 1e-9);
 }
 
-TEST_F(MeasuredForceTest, TheStatesForceIsInTheReferenceFrame) {
+TEST_F(MeasuredForceTest, TheForceIsInTheReferenceFrame) {
   TransformStamped base;
   base.transform.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   base.valid = true;
@@ -73,7 +73,7 @@ TEST_F(MeasuredForceTest, IsNotWhatACommandAsksFor) {
   EXPECT_LT(crtk_.spatial_measured_cf().force.norm(), 0.01) << "the motors do not press";
 }
 
-TEST_F(MeasuredForceTest, IsNotThereWhereTheDrivesMeasureNoEffort) {
+TEST_F(MeasuredForceTest, NeedsDrivesThatMeasureEffort) {
   press(wrench_);
   joints_.measureNoEffort();
   cycles(1);
@@ -90,7 +90,7 @@ TEST_F(MeasuredForceTest, IsNotThereWithoutPower) {
   EXPECT_EQ(crtk_.measured_js().effort.size(), 6u);
 }
 
-TEST_F(MeasuredForceTest, IsNotThereWhileTheDrivesAreSilent) {
+TEST_F(MeasuredForceTest, NeedsDrivesThatAnswer) {
   press(wrench_);
   arm_.step(time_ += 1ms, std::nullopt);
   crtk_.publish(time_);

@@ -109,7 +109,7 @@ TEST_F(MoveInMotion, GoesOnFromAnotherMove) {
   expectSmoothTo(-0.2, (setpoint(0) - last) / kDt);
 }
 
-TEST_F(MoveInMotion, BeginsAtRestAfterHoldAndAfterAJump) {
+TEST_F(MoveInMotion, BeginsAtRestAfterHold) {
   JointVelocityGoal rates;
   rates.goal.assign(6, 1);
   for (int i = 0; i < 50; ++i) {
@@ -150,7 +150,7 @@ TEST_F(MoveInMotion, StaysWithinTheLimitsOfPosition) {
   EXPECT_DOUBLE_EQ(setpoint(0), 0.1);
 }
 
-TEST_F(MoveInMotion, KeepsItsAccelerationNearALimitOfPosition) {
+TEST_F(MoveInMotion, KeepsItsAccelerationNearALimit) {
   const double most = kinematics::psm().upper()[0];
   const double velocity = 2;
   // Full deceleration ends within 0.05 rad, half of it would take 0.1.

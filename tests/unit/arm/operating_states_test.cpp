@@ -22,7 +22,7 @@ TEST(OperatingStates, FaultIsEnteredByNoCommand) {
   }
 }
 
-TEST(OperatingStates, AreLeftByTheCommandsThatCrtkNames) {
+TEST(OperatingStates, AreLeftByCrtksCommands) {
   const auto leaving = [](ArmState state) {
     std::string names;
     for (const std::string_view name : kStateCommands) {
@@ -59,7 +59,7 @@ class OperatingStatesTest : public CrtkArmTest {
   }
 };
 
-TEST_F(OperatingStatesTest, EachCommandDoesInEachStateWhatTheTableSays) {
+TEST_F(OperatingStatesTest, CommandsFollowTheTableOfStates) {
   for (const ArmState before : kStates) {
     if (before == ArmState::Undefined) continue;  // no arm is ever seen in it
     for (const std::string_view name : kStateCommands) {
@@ -75,7 +75,7 @@ TEST_F(OperatingStatesTest, EachCommandDoesInEachStateWhatTheTableSays) {
   }
 }
 
-TEST_F(OperatingStatesTest, AJointThatTrailsBeyondItsBoundFaultsTheArm) {
+TEST_F(OperatingStatesTest, AJointBeyondItsBoundFaults) {
   fault();
   EXPECT_EQ(state(), ArmState::Fault);
   ASSERT_EQ(heard_.errors.size(), 1u);
@@ -86,7 +86,7 @@ TEST_F(OperatingStatesTest, AJointThatTrailsBeyondItsBoundFaultsTheArm) {
   EXPECT_EQ(crtk_.measured_js().position[0], measured);
 }
 
-TEST_F(OperatingStatesTest, AJointThatTrailsWithinItsBoundDoesNot) {
+TEST_F(OperatingStatesTest, AJointWithinItsBoundGoesOn) {
   JointGoal near{positions(), {}};
   near.position[0] += 0.34;
   crtk_.servo_jp(near);
@@ -94,7 +94,7 @@ TEST_F(OperatingStatesTest, AJointThatTrailsWithinItsBoundDoesNot) {
   EXPECT_EQ(state(), ArmState::Enabled);
 }
 
-TEST_F(OperatingStatesTest, AFaultedArmRefusesMotionAndSaysSo) {
+TEST_F(OperatingStatesTest, AFaultedArmRefusesMotion) {
   JointVelocityGoal rates;
   rates.goal.assign(6, 0.1);
   const auto expectRefused = [&](const char* what, const auto& motion) {
@@ -117,7 +117,7 @@ TEST_F(OperatingStatesTest, AFaultedArmRefusesMotionAndSaysSo) {
   expectRefused("hold", [&] { crtk_.hold(); });
 }
 
-TEST_F(OperatingStatesTest, EnableWhilePausedIsAnErrorEachTime) {
+TEST_F(OperatingStatesTest, EnableWhilePausedIsAnError) {
   crtk_.pause();
   cycles(1);
   for (std::size_t count = 1; count <= 2; ++count) {

@@ -23,7 +23,7 @@ class PowerTest : public CrtkArmTest {
   }
 };
 
-TEST(Power, AnArmIsUndefinedUntilItsDrivesMayHavePower) {
+TEST(Power, AnArmWithoutPowerIsUndefined) {
   ArmController<6> arm{psmModel()};
   TrailingJoints<6> joints{psmModel(), psmParked()};
   suture::Time time = suture::now();
@@ -44,7 +44,7 @@ TEST(Power, AnArmIsUndefinedUntilItsDrivesMayHavePower) {
   EXPECT_EQ(arm.motion().measured_cp().stamp, time);
 }
 
-TEST_F(PowerTest, IsWantedWhereTheArmHoldsByItself) {
+TEST_F(PowerTest, IsWantedWhereTheArmHolds) {
   EXPECT_TRUE(arm_.powered());
   crtk_.pause();
   EXPECT_TRUE(arm_.powered());
@@ -80,7 +80,7 @@ TEST_F(PowerTest, APauseAfterEnablingIsNoLoss) {
   EXPECT_EQ(state(), ArmState::Enabled);
 }
 
-TEST_F(PowerTest, ALossBetweenTwoCyclesDisablesTheArm) {
+TEST_F(PowerTest, ABriefLossDisablesTheArm) {
   joints_.permitAnew();
   cycles(1);
   EXPECT_EQ(state(), ArmState::Disabled);
@@ -90,7 +90,7 @@ TEST_F(PowerTest, ALossBetweenTwoCyclesDisablesTheArm) {
   EXPECT_EQ(state(), ArmState::Enabled);
 }
 
-TEST_F(PowerTest, ARestartedArmIsDisabledAndNotHomed) {
+TEST_F(PowerTest, ARestartDisablesTheArm) {
   arm_.startAnew();
   EXPECT_EQ(state(), ArmState::Undefined);
   cycles(1);
@@ -117,13 +117,13 @@ TEST_F(PowerTest, SilentDrivesFaultTheArm) {
   EXPECT_EQ(state(), ArmState::Enabled);
 }
 
-TEST_F(PowerTest, SilentDrivesChangeNothingOfADisabledArm) {
+TEST_F(PowerTest, SilentDrivesLeaveADisabledArm) {
   crtk_.disable();
   silence();
   EXPECT_EQ(state(), ArmState::Disabled);
 }
 
-TEST_F(PowerTest, WithoutPowerTheSetPointFollowsTheJoints) {
+TEST_F(PowerTest, TheUnpoweredSetPointFollowsTheJoints) {
   JointGoal away{positions(), {}};
   away.position[0] += 0.3;
   crtk_.servo_jp(away);
@@ -133,7 +133,7 @@ TEST_F(PowerTest, WithoutPowerTheSetPointFollowsTheJoints) {
   EXPECT_EQ(crtk_.setpoint_js().position, crtk_.measured_js().position);
 }
 
-TEST_F(PowerTest, AMoveDoesNotLeapAfterAPause) {
+TEST_F(PowerTest, APausedMoveDoesNotLeap) {
   JointVelocityGoal rates;
   rates.goal.assign(6, 0.2);
   JointGoal away{positions(), {}};

@@ -54,7 +54,7 @@ TEST_F(Client, TellsItsInterestOnceUntilThatChanges) {
   EXPECT_EQ(interests_[1].columns, rt::ColumnSet{2});
 }
 
-TEST_F(Client, TellsItsInterestThoughNoCommandHasRoom) {
+TEST_F(Client, TellsItsInterestWithoutRoomForCommands) {
   room_ = 0;
   put(kHold);
   carrier_.give();
@@ -74,7 +74,7 @@ TEST_F(Client, SendsInOrderWhatHadNoRoom) {
   EXPECT_EQ(commands_, (std::vector<std::uint16_t>{kHold, kServo, kHold}));
 }
 
-TEST_F(Client, GetsBackNoMoreCreditsThanItHasUsed) {
+TEST_F(Client, GetsBackOnlyTheUsedCredits) {
   put(kHold);
   put(kServo);  // which uses none
   EXPECT_FALSE(carrier_.credits(kHold, 1)) << "it has not been sent";
@@ -113,7 +113,7 @@ TEST_F(Client, SendsNoCommandThatIsCancelled) {
   EXPECT_EQ(channel_->commands.waiting(kReset), 0u);
 }
 
-TEST_F(Client, PublishesOfARowWhatItAskedFor) {
+TEST_F(Client, PublishesTheRequestedRow) {
   channel_->state->ask(0);
   carrier_.give();
   rt::RowColumns columns;
@@ -126,7 +126,7 @@ TEST_F(Client, PublishesOfARowWhatItAskedFor) {
 }
 
 // Its provider may be beyond another lane, whose thread carries on what comes here.
-TEST_F(Client, RingsALaneForCreditsRowsAndTallies) {
+TEST_F(Client, RingsALaneForItsUpdates) {
   const auto rung = [this] {
     carrier_.ringClient();
     return channel_->ends.client->takeRing();
@@ -143,7 +143,7 @@ TEST_F(Client, RingsALaneForCreditsRowsAndTallies) {
   EXPECT_EQ(rung(), rt::RungFor::Work);
 }
 
-TEST_F(Client, RingsAClientOnceThatHasFoundNoRoom) {
+TEST_F(Client, RingsAFullClientOnce) {
   const auto rung = [this] {
     carrier_.ringClient();
     return channel_->ends.client->takeRing();
@@ -161,7 +161,7 @@ TEST_F(Client, RingsAClientOnceThatHasFoundNoRoom) {
   EXPECT_EQ(rung(), rt::RungFor::Nothing) << "it has not asked again";
 }
 
-TEST_F(Client, RingsAClientForTheRoomOfACancelledCall) {
+TEST_F(Client, RingsAClientAfterACancelledCall) {
   for (std::uint32_t call = 1; call <= 4; ++call) put(kHold, call);
   EXPECT_EQ(channel_->commands.room(kHold), 0u);
   ASSERT_TRUE(channel_->client.cancel(1));

@@ -67,7 +67,7 @@ class Provider : public testing::Test, protected ProviderCarrier::Wire {
   std::vector<std::pair<rt::ColumnSet, std::uint64_t>> rows_;
 };
 
-TEST_F(Provider, GivesACreditBackWhenTheCommandHasBeenTaken) {
+TEST_F(Provider, ReturnsACreditForATakenCommand) {
   carrier_.lend(1);
   EXPECT_EQ(post(kHold), Errc{});
   carrier_.give();
@@ -82,7 +82,7 @@ TEST_F(Provider, GivesACreditBackWhenTheCommandHasBeenTaken) {
   EXPECT_EQ(credits_, (Credits{{1, 1}}));
 }
 
-TEST_F(Provider, GivesTheCreditOfAnUnknownCommandBackAtOnce) {
+TEST_F(Provider, ReturnsAnUnknownCommandsCreditAtOnce) {
   EXPECT_EQ(carrier_.commandAt(0), ProviderCarrier::kUnknown);
   EXPECT_EQ(carrier_.commandAt(2), ProviderCarrier::kUnknown) << "the client has two";
   carrier_.lend(0);
@@ -96,7 +96,7 @@ TEST_F(Provider, RefusesCommandsWhileItIsSuspended) {
   EXPECT_FALSE(channel_->commands.pending());
 }
 
-TEST_F(Provider, RefusesCommandsOfAClientThatMayOnlyRead) {
+TEST_F(Provider, RefusesCommandsOfAReadOnlyClient) {
   carrier_.setReadOnly();
   EXPECT_EQ(post(kHold), Errc::NotPermitted);
   EXPECT_EQ(post(6, 1), Errc{}) << "distance() reads";
@@ -109,7 +109,7 @@ TEST_F(Provider, PutsNothingInThatCannotBeDecoded) {
   EXPECT_EQ(post(kHold), Errc{}) << "its place is free again";
 }
 
-TEST_F(Provider, IsRungOnceForAllThatHasCome) {
+TEST_F(Provider, IsRungOnceForManyArrivals) {
   carrier_.ringProvider();
   EXPECT_EQ(channel_->ends.provider->takeRing(), rt::RungFor::Nothing);
   EXPECT_EQ(post(kHold), Errc{});
@@ -119,13 +119,13 @@ TEST_F(Provider, IsRungOnceForAllThatHasCome) {
   EXPECT_EQ(channel_->ends.provider->takeRing(), rt::RungFor::Nothing);
 }
 
-TEST_F(Provider, SendsEventsThatItEmittedBeforeItsClientSaidAnything) {
+TEST_F(Provider, SendsEventsToAQuietClient) {
   channel_->events.push(kStopped, now() - std::chrono::seconds(1), {});
   carrier_.give();
   EXPECT_EQ(events_, (Credits{{kStopped, 0}}));
 }
 
-TEST_F(Provider, SendsNoEventThatWaitedWhenItsClientSubscribed) {
+TEST_F(Provider, SendsNoEventFromBeforeTheSubscription) {
   const reference::Mode mode{};
   const auto payload = std::as_bytes(std::span(&mode, 1));
   const Time before = now() - std::chrono::seconds(1);

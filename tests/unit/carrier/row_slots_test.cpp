@@ -13,7 +13,7 @@ bool isZero(const std::byte* slot, std::size_t size) {
   return std::all_of(slot, slot + size, [](std::byte one) { return one == std::byte{}; });
 }
 
-TEST(RowSlots, HasRoomForWhatIsAskedForOnly) {
+TEST(RowSlots, HasRoomForRequestedColumnsOnly) {
   RowSlots row(interfaceInfo<reference::ArmLike>());
   EXPECT_EQ(row.of(2)[0], nullptr);
   EXPECT_NE(row.of(2)[1], nullptr);
@@ -30,7 +30,7 @@ TEST(RowSlots, ColumnsDoNotMix) {
   EXPECT_TRUE(isZero(second, row.sizeOf(1)));
 }
 
-TEST(RowSlots, KeepsValuesWhileTheSameIsAskedFor) {
+TEST(RowSlots, KeepsValuesForTheSameRequest) {
   RowSlots row(interfaceInfo<reference::ArmLike>());
   std::memset(row.of(1)[0], 0xff, row.sizeOf(0));
   EXPECT_FALSE(isZero(row.of(1)[0], row.sizeOf(0)));

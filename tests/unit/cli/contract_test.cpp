@@ -20,7 +20,7 @@ std::uint64_t bitWith(const nlohmann::json& number) {
   return contract.bitOf(contract.events().at(1));
 }
 
-TEST(Contract, AsksForEventsByNumberElseByPlace) {
+TEST(Contract, AsksForEventsByNumberOrPlace) {
   EXPECT_EQ(bitWith(nullptr), 1u << 1);
   EXPECT_EQ(bitWith(5), 1u << 5);
 }

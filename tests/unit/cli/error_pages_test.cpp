@@ -22,7 +22,7 @@ TEST(ErrorPages, NamesLeadToTheirPage) {
   EXPECT_EQ(explainError(""), "");
 }
 
-TEST(ErrorPages, AMessageOfSetUpHasItsRow) {
+TEST(ErrorPages, ASetUpMessageHasItsRow) {
   EXPECT_EQ(
       explainError("connecting 'A/B': it is already connected: A/B -> C/D. A required interface"),
       "why it happens: A required interface has one provider, so a second connection would have to "
@@ -34,7 +34,7 @@ TEST(ErrorPages, AMessageOfSetUpHasItsRow) {
   EXPECT_EQ(explainError("anything: something else. Do this"), "");
 }
 
-TEST(ErrorPages, ALineOfARunningProcessHasItsRow) {
+TEST(ErrorPages, ARunningProcesssLineHasItsRow) {
   const std::string row = explainError(
       "robot: connection 'a:B/C -> d:E/F' is lost, silent: its process has not answered for 2000 "
       "ms. It is connected anew when that process goes on");
@@ -48,7 +48,7 @@ TEST(ErrorPages, OneRowMayBeAboutSeveralMessages) {
   EXPECT_EQ(explainError("write /x/ca.key: no. Give another folder."), one);
 }
 
-TEST(ErrorPages, WhatIsToldToAskLeadsToTheRow) {
+TEST(ErrorPages, AToldQuestionLeadsToItsRow) {
   const std::string message =
       "f.json:3: error: lane \"shm\" needs a global manager, and key "
       "'manager' is missing; give its address, or use lane \"auto\"";
@@ -62,7 +62,7 @@ TEST(ErrorPages, WhatIsToldToAskLeadsToTheRow) {
   EXPECT_EQ(whatToAsk("anything: something else. Do this"), "");
 }
 
-TEST(ErrorPages, AGuessAtANameNeedsNoFurtherWords) {
+TEST(ErrorPages, AGuessedNameNeedsNoMoreWords) {
   EXPECT_EQ(whatToAsk("find verb 'pss': there are 'ps' and 'read'. Did you mean 'ps'?"), "");
 }
 

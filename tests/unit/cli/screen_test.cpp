@@ -4,7 +4,7 @@
 namespace suture::cli {
 namespace {
 
-TEST(Screen, DoesNotLetATextSteerTheTerminal) {
+TEST(Screen, ATextCannotSteerTheTerminal) {
   EXPECT_EQ(plain("a\x1b[2Jb\x07\x7f"), "a?[2Jb??");
   EXPECT_EQ(plain("a\xc2\x9b"
                   "2Jb"),

@@ -158,7 +158,7 @@ TEST(Arguments, GivenTwiceAreRefused) {
             "--args {\"x\": : it is not a JSON object. Write --args '{\"name\": value}'");
 }
 
-TEST(Arguments, AListGrowsByElementsThatAreGiven) {
+TEST(Arguments, AListGrowsByGivenElements) {
   Options options;
   options.settings = {"list.1=b", "list.0=a"};
   EXPECT_EQ(argumentsOf(options), Json::parse(R"({"list": ["a", "b"]})"));

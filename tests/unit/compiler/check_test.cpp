@@ -102,7 +102,7 @@ TEST(Check, EnumeratorsThatBecomeMacros) {
   EXPECT_EQ(slugs(bad), Slugs{"macro-name"});
 }
 
-TEST(Check, EnumeratorsThatTheCommandLineHasAsMacros) {
+TEST(Check, ReportsEnumeratorsThatAreMacros) {
   model::Model model{{header()}};
   model.headers[0].enums.push_back(enumOf({{"debug", 0}, {"ok", 1}}));
   model.macros = {{"DEBUG", model::MacroOrigin::CommandLine}, {"OK", model::MacroOrigin::Header}};
@@ -235,7 +235,7 @@ TEST(Check, DevicesDoWithoutBounds) {
   EXPECT_EQ(slugs(open), Slugs{"unbounded-contract"});
 }
 
-TEST(Check, TwoInterfacesOfOneContractAreJudgedOnce) {
+TEST(Check, OneContractIsJudgedOnce) {
   model::Header open = header();
   open.structs[0].fields.push_back(field("name", text(std::nullopt)));
   open.components[0].ports.push_back(open.components[0].ports[0]);
@@ -262,7 +262,7 @@ TEST(Check, OneFallbackIsEnough) {
   EXPECT_EQ(slugs(bad), Slugs{"second-fallback"});
 }
 
-TEST(Check, MapsAndMatricesNeedBoundsInATask) {
+TEST(Check, ATasksMapsAndMatricesNeedBounds) {
   using Shape = model::Type::Shape;
   model::Type map = list(number(), 3);
   map.shape = Shape::Map;

@@ -126,7 +126,7 @@ TEST(Kinds, DeadlinesArePositiveAndForAnswers) {
   EXPECT_EQ(slugs(withCommand(speed)), Slugs{"deadline-on-read"});
 }
 
-TEST(Kinds, ConcurrentAndDirectAreForSomeKindsOnly) {
+TEST(Kinds, ConcurrentAndDirectFitSomeKinds) {
   model::Command fits = write("fits", number());
   fits.concurrent = true;
   EXPECT_EQ(slugs(withCommand(fits)), Slugs{"concurrent-kind"});
@@ -206,7 +206,7 @@ TEST(Crowds, InheritedReadsAndEventsCount) {
   EXPECT_EQ(slugs(two), (Slugs{"contract-size", "contract-size"}));
 }
 
-TEST(Crowds, AContractThatAddsNothingIsJudgedAtItsBaseOnly) {
+TEST(Crowds, AnEmptyDerivedContractIsNotJudged) {
   model::Header two = header();
   two.interfaces[0] = crowded(65);
   model::Interface derived = two.interfaces[0];

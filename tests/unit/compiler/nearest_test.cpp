@@ -15,12 +15,12 @@ TEST(Nearest, ASlipIsGuessed) {
   EXPECT_EQ(nearest("lock_brake", kKnown), "lock-break");
 }
 
-TEST(Nearest, ANameThatIsCutOffIsGuessed) {
+TEST(Nearest, ACutOffNameIsGuessed) {
   EXPECT_EQ(nearest("lock", kKnown), "lock-break");
   EXPECT_EQ(nearest("metre", kKnown), "m");
 }
 
-TEST(Nearest, NothingIsGuessedWhereNoSlipExplainsTheDifference) {
+TEST(Nearest, NothingUnlikelyIsGuessed) {
   EXPECT_EQ(nearest("foo", kKnown), std::nullopt);
   EXPECT_EQ(nearest("x", kKnown), std::nullopt);
   EXPECT_EQ(nearest("", kKnown), std::nullopt);

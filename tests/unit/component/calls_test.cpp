@@ -72,7 +72,7 @@ TEST(Calls, AnUnreadAnswerOutlivesItsConnection) {
   EXPECT_TRUE(*call.poll());
 }
 
-TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
+TEST(Fairness, AFloodingClientDelaysByItsQueue) {
   for (const bool flooderFirst : {true, false}) {
     Provider provider;
     ArmClient flooder, other;
@@ -101,7 +101,7 @@ concept PollsATemporary = requires(Call&& call) {
   std::move(call).poll();
 };
 
-TEST(Call, GivesItsAnswerAwayIfNobodyKeepsTheCall) {
+TEST(Call, GivesAnUnkeptAnswerAway) {
   ArmClient client;
   const auto& answer = client.arm.hold.start().within(1ms);
   EXPECT_EQ(answer.error(), Errc::NotConnected);
@@ -124,7 +124,7 @@ TEST(Call, ItsHandlerHearsThatTheProviderEnds) {
   EXPECT_EQ(end, Errc::Lost);
 }
 
-TEST(Call, OneThatComesWhileItsProviderStopsIsAnswered) {
+TEST(Call, AStoppingProviderAnswersACall) {
   struct Stopping final : Task {
     void start() override {
       prepare();
@@ -151,14 +151,14 @@ TEST(Call, OneThatComesWhileItsProviderStopsIsAnswered) {
   EXPECT_EQ(channel->commands.counters.refused, 2u);
 }
 
-TEST(Call, ItsHandlerIsToldAtOnceOfARefusal) {
+TEST(Call, ItsHandlerHearsOfARefusal) {
   ArmClient client;
   Errc end{};
   client.arm.hold.start().then([&end](const Result<void>& answer) { end = answer.error(); });
   EXPECT_EQ(end, Errc::NotConnected);
 }
 
-TEST(Call, ACancelledCallIsCountedAndNotExecuted) {
+TEST(Call, ACancelledCallIsCounted) {
   Provider provider;
   ArmClient client;
   const auto channel = connectLocally(client.arm, provider.port, "test");

@@ -64,7 +64,7 @@ class Clients : public testing::Test {
   std::unique_ptr<ArmClient> client_ = std::make_unique<ArmClient>();
 };
 
-TEST_F(Clients, AreToldOfOnceAndBeforeTheirCommands) {
+TEST_F(Clients, AreToldOfBeforeTheirCommands) {
   connect(*client_);
   ASSERT_TRUE(client_->arm.hold());
   EXPECT_EQ(inTheNextCycle(),
@@ -83,7 +83,7 @@ TEST_F(Clients, AGoneClientIsToldOfOnce) {
   EXPECT_EQ(inTheNextCycle(), Lines{});
 }
 
-TEST_F(Clients, ASilentClientThatIsClosedIsToldOfOnce) {
+TEST_F(Clients, AClosedSilentClientIsToldOnce) {
   const std::shared_ptr<Channel> channel = connect(*client_);
   inTheNextCycle();
   channel->tell(ChannelStatus::Lapsed);
@@ -104,13 +104,13 @@ TEST_F(Clients, AReconnectedClientIsAnother) {
   EXPECT_NE(lines[0], lines[1]) << "one has gone, one has come";
 }
 
-TEST_F(Clients, AClientThatCameAndWentIsNotToldOf) {
+TEST_F(Clients, ABriefClientIsNotToldOf) {
   connect(*client_);
   client_.reset();
   EXPECT_EQ(inTheNextCycle(), Lines{});
 }
 
-TEST_F(Clients, AGoneClientIsToldOfBeforeTheNextCommand) {
+TEST_F(Clients, AGoneClientIsToldOfFirst) {
   ArmClient other;
   connect(other, "gui");
   connect(*client_);
@@ -121,7 +121,7 @@ TEST_F(Clients, AGoneClientIsToldOfBeforeTheNextCommand) {
             (Lines{"Arm: console:Teleop/Slave closed", "hold of gui:Teleop/Slave"}));
 }
 
-TEST_F(Clients, ASuspendedComponentHearsOfGoneClientsLater) {
+TEST_F(Clients, ASuspendedComponentHearsOfThemLater) {
   connect(*client_);
   inTheNextCycle();
   arm_.request(Transition::Suspend);

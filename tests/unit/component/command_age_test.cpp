@@ -37,7 +37,7 @@ class AgingArm final : public Task, public StillArm {
   void run() override {}
 };
 
-TEST(CommandAge, IsThatFromSendingToTheComparisonWithTheTtl) {
+TEST(CommandAge, CountsUntilTheTtlComparison) {
   AgingArm arm;
   ArmClient client;
   connectLocally(client.arm, arm.port, "test");

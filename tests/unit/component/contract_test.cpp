@@ -70,14 +70,14 @@ class Contract : public testing::Test {
 // No value is as young as the first of these, and every value is younger than the other.
 constexpr Duration kNothing = 1ns, kAnything = 24h;
 
-TEST_F(Contract, AValueWithinItsMaxAgeIsAsEver) {
+TEST_F(Contract, AYoungValueIsUnchanged) {
   connect({.maxAge = kAnything});
   EXPECT_TRUE(read());
   EXPECT_EQ(read().error(), Errc{});
   EXPECT_EQ(watch_->staleReads, 0u);
 }
 
-TEST_F(Contract, HoldShowsTheStaleValueButDoesNotOfferIt) {
+TEST_F(Contract, HoldDoesNotOfferAStaleValue) {
   connect({.maxAge = kNothing, .onStale = Fallback::Hold});
   const auto pose = read();
   EXPECT_FALSE(pose);
@@ -123,7 +123,7 @@ TEST_F(Contract, HoldsForSeveralReadsOfOneRow) {
   EXPECT_TRUE(std::get<0>(*row).pose.affine().isZero(0));
 }
 
-TEST_F(Contract, AfterALossCommandsFailAndReadsFallBack) {
+TEST_F(Contract, ALossFailsCommandsAndDefaultsReads) {
   connect({.maxAge = kAnything, .onLoss = Fallback::Last});
   arm_.stop();
   EXPECT_EQ(hold(), Errc::Lost);
@@ -135,7 +135,7 @@ TEST_F(Contract, AfterALossCommandsFailAndReadsFallBack) {
   EXPECT_EQ(watch_->losses, 1u);
 }
 
-TEST_F(Contract, ReadsOfOneRowFallBackAfterALoss) {
+TEST_F(Contract, ALossDefaultsReadsOfOneRow) {
   connect({.onLoss = Fallback::Zero});
   arm_.stop();
   const auto row = readTogether(reader_.slave.measured_cp);
@@ -147,7 +147,7 @@ TEST_F(Contract, ReadsOfOneRowFallBackAfterALoss) {
   EXPECT_EQ(before.error(), Errc::Lost);
 }
 
-TEST_F(Contract, WithoutAContractAReadTellsOnlyALoss) {
+TEST_F(Contract, AReadWithoutContractTellsTheLoss) {
   connectTo(arm_);
   EXPECT_EQ(read().error(), Errc::NotYet);
   arm_.cycle();
@@ -158,7 +158,7 @@ TEST_F(Contract, WithoutAContractAReadTellsOnlyALoss) {
   EXPECT_FALSE(readTogether(reader_.slave.measured_cp).carriesValue());
 }
 
-TEST_F(Contract, ALossMayParkAReaderThatDoesNotRead) {
+TEST_F(Contract, ALossMayParkAnIdleReader) {
   connect({.onLoss = Fallback::Fault});
   int runs = 0;
   reader_.work = [&] { ++runs; };
@@ -169,7 +169,7 @@ TEST_F(Contract, ALossMayParkAReaderThatDoesNotRead) {
   EXPECT_EQ(reader_.faultCause(), FaultCause::Connection);
 }
 
-TEST_F(Contract, AFaultedProviderThatIsStoppedIsLost) {
+TEST_F(Contract, AStoppedFaultedProviderIsLost) {
   connect({});
   arm_.work = [] { throw std::runtime_error("the drive did not answer"); };
   arm_.cycle();
@@ -195,7 +195,7 @@ TEST_F(Contract, ARestartAwaitsWhatWasLost) {
   EXPECT_EQ(reader_.faults(), 1u) << "waiting takes nothing from the budget";
 }
 
-TEST_F(Contract, ASuspensionOutlivesARestartThatAwaitsItsProvider) {
+TEST_F(Contract, ASuspensionOutlivesARestart) {
   connect({.onLoss = Fallback::Fault});
   reader_.restartAfterFaults({.most = 3, .per = 24h});
   reader_.request(Transition::Suspend);
@@ -219,7 +219,7 @@ TEST_F(Contract, AfterALossCommandsAwaitTheOperator) {
   EXPECT_EQ(hold(), Errc{});
 }
 
-TEST_F(Contract, AfterARestartCommandsAwaitTheOperatorInTheSameCycle) {
+TEST_F(Contract, CommandsAfterARestartAwaitTheOperator) {
   arm_.restartAfterFaults({.most = 1, .per = 24h});
   connect({.resume = Resume::Operator});
   arm_.work = [] { throw std::runtime_error("the drive did not answer"); };
@@ -233,7 +233,7 @@ TEST_F(Contract, AfterARestartCommandsAwaitTheOperatorInTheSameCycle) {
   EXPECT_EQ(hold(), Errc{});
 }
 
-TEST_F(Contract, AfterALossCommandsGoOnByThemselvesElse) {
+TEST_F(Contract, CommandsOtherwiseResumeAfterALoss) {
   connect({.maxAge = kAnything});
   arm_.stop();
   connectTo(spare_);

@@ -66,7 +66,7 @@ TEST(DirectHandlers, AFaultedOwnersHandlersDoNotRun) {
   EXPECT_FALSE(handlers.call(0, nullptr));
 }
 
-TEST(DirectHandlers, GivenBeforeTheConnectionRunWithTheEvent) {
+TEST(DirectHandlers, AnEarlyHandlerRunsWithTheEvent) {
   struct Bell final : Device, StillArm {
     Provided<reference::ArmLike> port{*this, "Arm", *this};
   } bell;

@@ -17,7 +17,7 @@ TEST(Errors, HaveDifferentTexts) {
   EXPECT_FALSE(texts.contains("unknown error"));
 }
 
-TEST(Errors, AreExplainedByACommandForAShell) {
+TEST(Errors, AreExplainedByAShellCommand) {
   const std::string several =
       "d.json:3: error: no class 'A'; add \"library\"\nd.json:4: error: more";
   EXPECT_EQ(explained(several),

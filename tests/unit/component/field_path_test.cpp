@@ -6,7 +6,7 @@
 namespace suture {
 namespace {
 
-TEST(FieldPath, IsWrittenFromTheInsideAndReadsAsCxxDoes) {
+TEST(FieldPath, ReadsAsCxxDoes) {
   FieldPath path;
   EXPECT_TRUE(path.empty());
   EXPECT_EQ(path.text(), "");
@@ -33,7 +33,7 @@ TEST(FieldPath, KnowsItsOutermostMember) {
   EXPECT_FALSE(FieldPath().beginsWith("distance"));
 }
 
-TEST(FieldPath, LosesItsOuterPartWhereItIsTooLong) {
+TEST(FieldPath, LosesItsOuterPartWhenLong) {
   FieldPath path;
   path.enterMember("length");
   for (int i = 0; i < 100; ++i) {

@@ -42,7 +42,7 @@ struct History : testing::Test {
   ArmClient client, manualClient;
 };
 
-TEST_F(History, AClientReadsTheRowAtOrBeforeATime) {
+TEST_F(History, AClientReadsTheRowBefore) {
   begin();
   const Time begun = now();
   const Time first = cycle(), second = cycle(), third = cycle();
@@ -121,7 +121,7 @@ TEST_F(History, ARowIsWhole) {
   EXPECT_TRUE(readTogether(manualClient.arm.measured_cp, manualClient.arm.measured_js));
 }
 
-TEST_F(History, AManualTableAdvancesWhenTheComponentSaysSo) {
+TEST_F(History, AManualTableAdvancesOnRequest) {
   begin();
   int cycles = 0;
   arm.work = [&] {
@@ -144,7 +144,7 @@ TEST_F(History, AProviderReadsItsOwn) {
   EXPECT_TRUE(arm.required().empty());  // no manager has to wire it
 }
 
-TEST_F(History, AStateInUseStaysAsItIs) {
+TEST_F(History, AUsedStateStaysUnchanged) {
   begin();
   EXPECT_EQ(refusal([&] { arm.automaticPort.keepState({.rows = 1000}); }),
             "the state table of 'Automatic': somebody uses it already. Call keepState() in the "

@@ -72,7 +72,7 @@ std::vector<std::string> readWithin(const std::string& text, T& value) {
   return lines;
 }
 
-TEST(JsonContainers, ARangeHoldsForTheValuesOfAMapNotForItsKeys) {
+TEST(JsonContainers, ARangeHoldsForValuesNotKeys) {
   std::map<int, double> numbered;
   EXPECT_EQ(readWithin("[[7, 0.5], [-7, 1]]", numbered), Lines{});
   EXPECT_EQ(numbered, (std::map<int, double>{{7, 0.5}, {-7, 1}}));
@@ -87,7 +87,7 @@ TEST(JsonContainers, ARangeHoldsForTheValuesOfAMapNotForItsKeys) {
   EXPECT_EQ(readWithin("[[[7, 2]]]", owned), Lines{"/x/0/0/1"});
 }
 
-TEST(JsonContainers, ARangeLeavesItToTheReaderWhatIsNoMap) {
+TEST(JsonContainers, ARangeLeavesOtherValuesAlone) {
   std::map<int, double> numbered;
   for (const char* text : {"5", R"({"a": 0.5})", "[7, 0.5]", "[[7]]", "[[0.5, 0.5]]"}) {
     EXPECT_NE(readWithin(text, numbered), Lines{}) << text;
@@ -107,7 +107,7 @@ TEST(JsonContainers, ARangeNeedsNoCopy) {
   EXPECT_EQ(row[1], 1);
 }
 
-TEST(JsonContainers, ARangeHoldsForAllElementsOfAMatrix) {
+TEST(JsonContainers, ARangeHoldsForEachElement) {
   Eigen::MatrixXd matrix;
   EXPECT_EQ(readWithin("[[0, 1], [0.5, 5]]", matrix), Lines{"/x/1/1"});
   EXPECT_EQ(matrix.size(), 0);

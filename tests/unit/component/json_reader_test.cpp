@@ -25,7 +25,7 @@ TEST(JsonReader, ReadsWhatIsThereAndKeepsDefaults) {
   EXPECT_EQ(result.value.period, 0.001);
 }
 
-TEST(JsonReader, AnUnknownKeyIsNamedWithTheNearest) {
+TEST(JsonReader, AnUnknownKeyNamesTheNearest) {
   const Read result = read(R"({"perid": 0.002})");
   ASSERT_EQ(result.problems.size(), 1u);
   EXPECT_EQ(result.problems[0].pointer, "/components/PSM/perid");
@@ -39,14 +39,14 @@ TEST(JsonReader, AWrongTypeSaysWhatWasFound) {
   EXPECT_EQ(result.problems[1].text, "expected a list of 3, found array [1,2]");
 }
 
-TEST(JsonReader, ANumberOutsideItsRangeIsRefusedAndChangesNothing) {
+TEST(JsonReader, AnOutOfRangeNumberChangesNothing) {
   const Read result = read(R"({"period": 2})");
   ASSERT_EQ(result.problems.size(), 1u);
   EXPECT_EQ(result.problems[0].text, "expected a number from 0.0001 to 1, found number 2");
   EXPECT_EQ(result.value.period, 0.001);
 }
 
-TEST(JsonReader, ARangeHoldsForEveryNumberOfAList) {
+TEST(JsonReader, ARangeHoldsForListedNumbers) {
   const auto json = nlohmann::json::parse(R"({"gains": [[0.5, 2], [-1, 1]]})");
   std::vector<JsonProblem> problems;
   JsonReader reader(json, "", problems);
@@ -59,7 +59,7 @@ TEST(JsonReader, ARangeHoldsForEveryNumberOfAList) {
   EXPECT_EQ(gains.size(), 1u);
 }
 
-TEST(JsonReader, AnIntegerThatDoesNotFitIsRefused) {
+TEST(JsonReader, ATooLargeIntegerIsRefused) {
   std::vector<JsonProblem> problems;
   std::uint8_t value = 7;
   fromJson(JsonReader(nlohmann::json(300), "/x", problems), value);
@@ -79,7 +79,7 @@ std::string problemOf(double number) {
   return problems[0].text;
 }
 
-TEST(JsonReader, ADurationThatDoesNotFitIsRefused) {
+TEST(JsonReader, ATooLongDurationIsRefused) {
   using std::chrono::nanoseconds;
   EXPECT_EQ(problemOf<nanoseconds>(1e12),
             "expected a number of seconds from -9223372036 to 9223372036, found number "
@@ -102,7 +102,7 @@ void expectToKeepItsPeriod(Parameters value) {
   EXPECT_EQ(value->period, 0.002);
 }
 
-TEST(JsonReader, APartOfAnOptionalValueKeepsTheRestOfItsDefault) {
+TEST(JsonReader, AnOptionalValuesRestIsDefault) {
   using Parameters = reference::SimulatedArmParameters;
   expectToKeepItsPeriod(std::optional(Parameters{}));
   expectToKeepItsPeriod(std::make_unique<Parameters>());
@@ -130,7 +130,7 @@ TEST(JsonReader, ABoundMayBeInfinite) {
   EXPECT_EQ(problems[0].text, "expected a number from 0 to infinity, found number -1");
 }
 
-TEST(JsonReader, AFloatThatDoesNotFitIsRefused) {
+TEST(JsonReader, ATooLargeFloatIsRefused) {
   EXPECT_TRUE(problemOf<float>(1e300).starts_with("expected a number from -3.4"))
       << problemOf<float>(1e300);
   EXPECT_EQ(problemOf<float>(3e38), "");

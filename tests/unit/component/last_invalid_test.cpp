@@ -40,7 +40,7 @@ class LastInvalidTest : public testing::Test {
   ArmClient client_;
 };
 
-TEST_F(LastInvalidTest, IsEmptyAsLongAsAllIsWell) {
+TEST_F(LastInvalidTest, IsEmptyWhileAllIsWell) {
   EXPECT_TRUE(client_.arm.limit(1, reference::Mode::Enabled));
   arm_.cycle();
   EXPECT_EQ(told(), "");
@@ -81,7 +81,7 @@ TEST_F(LastInvalidTest, NamesWhatARowDoesNotHave) {
   EXPECT_EQ(told(), "measured_js.position[1]");
 }
 
-TEST_F(LastInvalidTest, TellsOnlyTheAskerOfAnInvalidAnswer) {
+TEST_F(LastInvalidTest, OnlyTheAskerHearsOfIt) {
   ArmClient other;
   connectLocally(other.arm, arm_.port, "Other/Arm -> PSM/Arm");
   arm_.joints.position = {0, kNotANumber};

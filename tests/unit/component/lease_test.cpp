@@ -9,14 +9,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(Lease, HasNoEndWhereTheClientSaysNothing) {
+TEST(Lease, IsEndlessForASilentClient) {
   EXPECT_EQ(Lease().end(), BootTime::max());
   EXPECT_FALSE(Lease().lapsed());
   EXPECT_EQ(Lease(std::make_shared<PeerState>(), 0s).end(), BootTime::max());
   EXPECT_EQ(Lease(nullptr, 1s).end(), BootTime::max());
 }
 
-TEST(Lease, CountsFromItsBeginningUntilSomethingIsHeard) {
+TEST(Lease, CountsFromItsBeginningAtFirst) {
   const auto client = std::make_shared<PeerState>();
   const BootTime before = BootClock::now();
   client->heard = before - 1h;  // on an earlier connection

@@ -107,7 +107,7 @@ TEST_F(ClientsLedger, LostCommandsStayLostWithoutTheirProcess) {
   expectOpen(ledger_.sums(), {.lost = 1});
 }
 
-TEST_F(ClientsLedger, LostCommandsStayLostWhileOthersAreOpen) {
+TEST_F(ClientsLedger, LostCommandsStayLost) {
   tenOfWhichThreeAreUnderWay();
   const auto next = makeChannel();
   ledger_.begin(next, kRobot, {{.executed = 8, .late = 1}, true});

@@ -19,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 using State = ComponentState;
 
-TEST(Lifecycle, EachTransitionIsLegalInItsStatesAndNoOther) {
+TEST(Lifecycle, EachTransitionNeedsItsState) {
   const std::vector<State> states = {State::Constructed, State::Configured, State::Running,
                                      State::Suspended,   State::Faulted,    State::Stopped};
   const auto from = [&](Transition transition) {
@@ -37,7 +37,7 @@ TEST(Lifecycle, EachTransitionIsLegalInItsStatesAndNoOther) {
   EXPECT_EQ(from(Transition::Stop), "running>stopped suspended>stopped ");
 }
 
-TEST(Lifecycle, OnlySuspendAndResumeCanBeAskedFor) {
+TEST(Lifecycle, OnlySuspendAndResumeAreRequestable) {
   Living<PeriodicTask> task(kQuick);
   for (const Transition transition : {Transition::Configure, Transition::Start, Transition::Stop}) {
     EXPECT_EQ(refusal([&] { task.request(transition); }),
@@ -47,7 +47,7 @@ TEST(Lifecycle, OnlySuspendAndResumeCanBeAskedFor) {
   }
 }
 
-TEST(Lifecycle, ATasksHooksRunInItsOwnThread) {
+TEST(Lifecycle, ATasksHooksRunInItsThread) {
   Living<PeriodicTask> task(kQuick);
   EXPECT_EQ(task.state(), State::Constructed);
   task.configure();
@@ -74,7 +74,7 @@ TEST(Lifecycle, ATasksHooksRunInItsOwnThread) {
   EXPECT_TRUE(eventually([&] { return task.cycles > before; }));
 }
 
-TEST(Lifecycle, ALateClientHearsThatTheTaskIsStopped) {
+TEST(Lifecycle, ALateClientHearsOfTheStop) {
   Living<PeriodicTask> task(kQuick);
   task.start();
   task.stop();
@@ -87,7 +87,7 @@ TEST(Lifecycle, ALateClientHearsThatTheTaskIsStopped) {
   EXPECT_TRUE(client.arm.hold());
 }
 
-TEST(Lifecycle, ARefusalBlamesNoCodeForWhatAContractHasParked) {
+TEST(Lifecycle, AParkedRefusalBlamesNoCode) {
   Living<EventTask> task;
   task.configure();
   task.park("connection 'a -> b' is lost, and its on_loss is fault", FaultCause::Connection);

@@ -25,7 +25,7 @@ TEST(ReadAge, CountsEachRowOnce) {
   EXPECT_EQ(channel->client.readAge->count(), 1u);
 }
 
-TEST(ReadAge, CountsAnEqualStampOfANewConnection) {
+TEST(ReadAge, CountsANewConnectionsEqualStamp) {
   ArmClient client;
   const Time stamp = now();
   client.arm.attach(channelWithRow(stamp));
@@ -37,7 +37,7 @@ TEST(ReadAge, CountsAnEqualStampOfANewConnection) {
 }
 
 // Over shared memory, the bytes that a client receives are those that its reads copy.
-TEST(ReadBytes, AreCountedOfValuesThatAreReadTogetherToo) {
+TEST(ReadBytes, CountValuesThatAreReadTogether) {
   const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
   const auto block = std::make_shared<MemoryBlock>("reads", Channel::bytesFor(contract));
   const auto channel = std::make_shared<Channel>(
@@ -55,7 +55,7 @@ TEST(ReadBytes, AreCountedOfValuesThatAreReadTogetherToo) {
   EXPECT_EQ(channel->bytesReceived, 2 * ofOne);
 }
 
-TEST(ReadTogether, GivesAValueThatIsAskedForTwiceTwice) {
+TEST(ReadTogether, GivesARepeatedValueTwice) {
   ArmClient client;
   const auto channel = reference::armChannel(reference::playedEnds(), "frame");
   reference::PoseStamped pose;

@@ -98,7 +98,7 @@ TEST(Waits, EndWithTheirTask) {
   EXPECT_EQ(provider.still.holds, 1) << "the one of onStop()";
 }
 
-TEST(Waits, ForACommandThatRunsEndWithoutItsOutcome) {
+TEST(Waits, ARunningCommandEndsTheWait) {
   SlowArm provider;
   Awaiter awaiter;
   const auto channel = connectLocally(awaiter.arm, provider.arm, "test");
@@ -111,7 +111,7 @@ TEST(Waits, ForACommandThatRunsEndWithoutItsOutcome) {
   provider.stop();
 }
 
-TEST(Room, AnEventTaskRunsAgainWhenThereIsRoom) {
+TEST(Room, RoomRunsAnEventTaskAgain) {
   Arm provider;
   Feeder feeder(100);
   const auto channel = connectLocally(feeder.arm, provider.arm, "test");
@@ -136,7 +136,7 @@ TEST(Room, AWaitEndsWithItsTask) {
   EXPECT_EQ(waiter.end, Errc::Lost);
 }
 
-TEST(Room, AWaitEndsWhenAnotherConnectionTakesItsPlace) {
+TEST(Room, ANewConnectionEndsTheWait) {
   Arm provider, other;
   Waiter waiter;
   const auto channel = connectLocally(waiter.arm, provider.arm, "test");

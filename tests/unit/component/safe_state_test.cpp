@@ -69,7 +69,7 @@ class SafeState : public testing::Test {
   Surgeon surgeon_;
 };
 
-TEST_F(SafeState, IsEnteredOnceAndStillReachesTheArm) {
+TEST_F(SafeState, IsEnteredOnceAndReachesTheArm) {
   begin({});
   breakDown();
   surgeon_.cycle();
@@ -112,7 +112,7 @@ TEST_F(SafeState, ASuspendOutlivesTheRestart) {
   EXPECT_EQ(surgeon_.safeStates, 1);
 }
 
-TEST_F(SafeState, ARestartThatFailsIsAFaultToo) {
+TEST_F(SafeState, AFailedRestartIsAFaultToo) {
   begin({.most = 3, .per = 24h});
   surgeon_.restartBroken = true;
   breakDown();
@@ -148,7 +148,7 @@ struct Hopeless final : Task {
   int restarts = 0, safeStates = 0;
 };
 
-TEST(Restart, NoneFollowsOnceTheTaskIsAskedToStop) {
+TEST(Restart, NoneFollowsAStopRequest) {
   Hopeless task;
   task.restartAfterFaults({.most = 1, .per = 1ns});
   task.start();
@@ -158,7 +158,7 @@ TEST(Restart, NoneFollowsOnceTheTaskIsAskedToStop) {
   EXPECT_TRUE(task.staysFaulted());
 }
 
-TEST(Restart, FollowsNoFaultOfAChangeToAnythingButRunning) {
+TEST(Restart, FollowsNoFaultOfOtherTransitions) {
   for (const char* const hook : {"configure", "start", "suspend"}) {
     Living<CallbackTask> task;
     task.throwing = hook;
@@ -240,7 +240,7 @@ TEST(Restart, ClientsReachTheComponentAgain) {
   EXPECT_EQ(watch->losses, 2u);
 }
 
-TEST(Faults, AHandlerThatIsServedInEveryStateMayThrow) {
+TEST(Faults, AHandlerServedAlwaysMayThrow) {
   RestartedArm arm;
   arm.port.serveInEveryState();
   arm.restartAfterFaults({.most = 3, .per = 24h});

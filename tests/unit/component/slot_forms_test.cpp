@@ -23,7 +23,7 @@ bool fits(Duration value) {
   return true;
 }
 
-TEST(SlotForms, RefuseADurationOfMoreNanosecondsThanFit) {
+TEST(SlotForms, RefuseATooLongDuration) {
   EXPECT_FALSE(fits(std::chrono::milliseconds::max()));
   EXPECT_FALSE(fits(std::chrono::milliseconds::min()));
   EXPECT_FALSE(fits(std::chrono::hours(3'000'000)));

@@ -34,7 +34,7 @@ int cyclesDuring(const Living<Kind>& task, Duration time) {
   return task.cycles - before;
 }
 
-TEST(Suspended, ATaskRunsNothingAndItsClientsAreTold) {
+TEST(Suspended, ATasksClientsAreToldOfIt) {
   Living<PeriodicTask> task(kQuick);
   ArmClient client;
   const auto channel = connectLocally(client.arm, task.arm, "test");

@@ -32,7 +32,7 @@ TEST(MessageDraft, KeepsAWholeText) {
   EXPECT_LE(suture::now() - message.stamp, 10s);
 }
 
-TEST(MessageDraft, CutsALongTextSoThatItShows) {
+TEST(MessageDraft, CutsALongText) {
   suture::MessageDraft draft;
   EXPECT_EQ(draft.write(std::string(256, 'x'), 0, 1).text, std::string(252, 'x') + "...");
   // Each accent has two bytes, so the one that would be halved goes.
@@ -133,7 +133,7 @@ TEST_P(StandardMessages, AreHeardInOrder) {
   manager.stop();
 }
 
-TEST_P(StandardMessages, ALateClientHearsTheLastOfEachKind) {
+TEST_P(StandardMessages, ALateClientHearsTheLatest) {
   Speaker speaker;
   Listener listener;
   manager.add("Speaker", speaker);
@@ -170,7 +170,7 @@ struct Switch final : suture::Device {
   suture::Required<contracts::Lamp> lamp{*this, "Lamp"};
 };
 
-TEST_P(StandardMessages, AreHeardOfAContractThatDerivesFromThem) {
+TEST_P(StandardMessages, ADerivedContractHasThemToo) {
   BrokenLamp lamp;
   Listener listener;
   Switch key;

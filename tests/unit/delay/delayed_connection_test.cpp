@@ -96,7 +96,7 @@ struct Delayed : testing::Test {
   Manager manager{"here"};
 };
 
-TEST_F(Delayed, ACommandDoesNotArriveBeforeItsTime) {
+TEST_F(Delayed, ACommandArrivesAfterItsDelay) {
   connect("A", {.commands = 50ms});
   const Time sent = now();
   EXPECT_TRUE(a.arm.hold());
@@ -104,7 +104,7 @@ TEST_F(Delayed, ACommandDoesNotArriveBeforeItsTime) {
   EXPECT_GE(arm.heldAt.load() - sent, 50ms);
 }
 
-TEST_F(Delayed, AnAnswerDoesNotArriveBeforeItsTime) {
+TEST_F(Delayed, AnAnswerArrivesAfterItsDelay) {
   connect("A", {.answers = 50ms});
   const auto answer = a.arm.hold.start().within(kPatience);
   const Time heard = now();
@@ -123,7 +123,7 @@ TEST_F(Delayed, BothWaysAddUp) {
   EXPECT_EQ(*distance, 7);
 }
 
-TEST_F(Delayed, AnEventDoesNotArriveBeforeItsTime) {
+TEST_F(Delayed, AnEventArrivesAfterItsDelay) {
   connect("A", {.answers = 50ms});
   EXPECT_TRUE(a.arm.set_mode(Mode::Enabled));
   const Time deadline = now() + kPatience;
@@ -132,7 +132,7 @@ TEST_F(Delayed, AnEventDoesNotArriveBeforeItsTime) {
   EXPECT_GE(a.heardAt - arm.emittedAt.load(), 50ms);
 }
 
-TEST_F(Delayed, AReadIsAsOldAsItsDelay) {
+TEST_F(Delayed, ADelayAgesARead) {
   connect("A", {.answers = 40ms});
   EXPECT_TRUE(eventually([&] { return a.arm.measured_cp().hasValue(); }));
   for (int i = 0; i < 20; ++i) {
@@ -171,7 +171,7 @@ TEST_F(Delayed, OrderHolds) {
   EXPECT_EQ(arm.limits(), sent);
 }
 
-TEST_F(Delayed, TheCommandsDepthBoundsWhatIsUnderWay) {
+TEST_F(Delayed, TheDepthBoundsCommandsUnderWay) {
   connect("A", {.commands = 30s});
   for (int i = 0; i < 4; ++i) EXPECT_TRUE(a.arm.hold());  // queue(4)
   EXPECT_EQ(a.arm.hold().error(), Errc::Full);
@@ -257,7 +257,7 @@ TEST_F(Delayed, WithoutDelayTheConnectionIsLocal) {
 }
 
 // The provider runs again before the thread that delays has looked.
-TEST_F(Delayed, ARestartOfTheProviderAwaitsTheOperator) {
+TEST_F(Delayed, ARestartAwaitsTheOperator) {
   arm.restartAfterFaults({.most = 1, .per = 24h});
   manager.connect(
       "A/Arm", "PSM/Arm",

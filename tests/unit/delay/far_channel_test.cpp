@@ -68,7 +68,7 @@ TEST_F(FarChannel, AnAnswerOfTheRightSizeArrives) {
   EXPECT_EQ(result, 0x01010101u);
 }
 
-TEST_F(FarChannel, AnAnswerThatIsTooShortIsInvalid) { EXPECT_EQ(answer(0), Errc::Invalid); }
+TEST_F(FarChannel, ATooShortAnswerIsInvalid) { EXPECT_EQ(answer(0), Errc::Invalid); }
 
 TEST_F(FarChannel, ATooLongAnswerIsCut) {
   EXPECT_EQ(answer(4096), Errc{});
@@ -82,7 +82,7 @@ TEST_F(FarChannel, AnAnswerToNoCallIsDropped) {
   EXPECT_EQ(near->client.nextReply(), nullptr);
 }
 
-TEST_F(FarChannel, AnEventOfAnEarlierSubscriptionIsDropped) {
+TEST_F(FarChannel, AnEarlierSubscriptionsEventIsDropped) {
   turn();
   emitMode();
   near->client.subscribe(kModeOnly, kModeOnly);  // the client has left it, and joins it again
@@ -129,7 +129,7 @@ TEST_F(FarChannel, ATakenCommandGivesItsCreditBack) {
 }
 
 // Its provider may be beyond another lane, whose thread rings the client that gets credits.
-TEST_F(FarChannel, AWaiterForRowsIsRungForCredits) {
+TEST_F(FarChannel, CreditsRingAWaiterForRows) {
   near->client.askForRows();
   send(kHold, 0);
   near->ends.client->takeRing();
@@ -157,7 +157,7 @@ TEST_F(FarChannel, AnEventFromBeforeTheDelayArrives) {
   EXPECT_NE(near->events.next(), nullptr);
 }
 
-TEST_F(FarChannel, ACommandThatMeetsAnEndedConnectionIsLost) {
+TEST_F(FarChannel, ACommandAfterTheEndIsLost) {
   far->tell(ChannelStatus::Lost);
   send(kHold, 3);
   ASSERT_NE(near->client.nextReply(), nullptr);
@@ -188,7 +188,7 @@ TEST_F(FullLine, KeepsTheNewestCommandWithTheClient) {
   EXPECT_FALSE(provider->commands.pending());
 }
 
-TEST_F(FullLine, IsReadAgainInTheTurnThatMakesRoom) {
+TEST_F(FullLine, IsReadAgainOnceThereIsRoom) {
   slow.pump(now() + 2h);
   EXPECT_TRUE(provider->commands.pending());
   EXPECT_FALSE(near->commands.pending());

@@ -76,7 +76,7 @@ TEST_F(CheckDeployment, ASoundFileIsSound) {
   EXPECT_EQ(found.subject, "2 processes, 2 components and 1 connection");
 }
 
-TEST_F(CheckDeployment, ASocketWithoutRoomForItsPathIsAMistake) {
+TEST_F(CheckDeployment, ATooLongPathIsAMistake) {
   const auto problemsOf = [&](std::size_t room) {
     const std::size_t others = folder_.file("").size() + std::string(".4194304.sock").size();
     const std::string name(room - others, 'p');
@@ -95,7 +95,7 @@ TEST_F(CheckDeployment, NothingIsConfigured) {
   EXPECT_EQ(check("{\"name\": \"U\", \"class\": \"Unplugged\"}", "", "").problems, Texts{});
 }
 
-TEST_F(CheckDeployment, MistakesOfEveryProcessAreToldAtOnce) {
+TEST_F(CheckDeployment, MistakesOfAllProcessesAreTold) {
   const Checked found =
       check(R"({"name": "C", "class": "Client", "restart": {"most": 1, "per": "0s"}})",
             R"({"name": "A", "class": "SimulatedArn"}, {"name": "R", "class": "Refusing"},
@@ -149,7 +149,7 @@ TEST_F(CheckDeployment, FramesOfTwoProcessesAreCompared) {
   EXPECT_PRED2(contains, problems[0], line(5) + "connecting near:C/Arm -> far:PSM/Arm: it expects");
 }
 
-TEST_F(CheckDeployment, ALaneThatIsRequiredHasToBePossible) {
+TEST_F(CheckDeployment, ARequiredLaneMustBePossible) {
   const Texts problems =
       check(kClient, kArm, kConnection + std::string(R"(, "lane": "shm", "lane_required": true})"),
             R"("manager": "tcp://127.0.0.1:7701", )")
@@ -170,7 +170,7 @@ TEST_F(CheckDeployment, AContractWithoutBoundsHasNoFrames) {
   EXPECT_PRED2(contains, problems[0], "lane 'frame' is required and cannot carry it: command ");
 }
 
-TEST_F(CheckDeployment, AnUnknownLaneIsAMistakeOfItsClientsProcess) {
+TEST_F(CheckDeployment, AnUnknownLaneIsTheClientsMistake) {
   const std::string connection = kConnection + std::string(R"(, "lane": "smh"})");
   const Texts told{
       line(5) +
@@ -198,7 +198,7 @@ TEST_F(CheckDeployment, EachProcessNeedsItsKeys) {
   EXPECT_PRED2(contains, found.warnings[0], "d.json:1: warning: the certificate ");
 }
 
-TEST_F(CheckDeployment, APolicyThatNoProcessCanReadIsToldOnce) {
+TEST_F(CheckDeployment, AnUnreadablePolicyIsToldOnce) {
   std::ofstream(folder_.file("policy.json")) << R"({"roles": [], "rules": []})";
   EXPECT_EQ(check("", "", "", "\"policy\": \"policy.json\", ").problems.size(), 1u);
 }

@@ -77,7 +77,7 @@ TEST(DeployedCollectors, RowsComeToTheFile) {
   EXPECT_TRUE(host.troubles().empty());
 }
 
-TEST(DeployedCollectors, RowsOfTheFileAreThoseAskedFor) {
+TEST(DeployedCollectors, RowsAreThoseAskedFor) {
   const TemporaryDirectory directory;
   const Deployment deployment = everySecondState(directory.file(""));
   {
@@ -101,7 +101,7 @@ TEST(DeployedCollectors, RowsOfTheFileAreThoseAskedFor) {
   EXPECT_GT(rows, 20);
 }
 
-TEST(DeployedCollectors, EventsOfTheLifeCycleComeToTheFile) {
+TEST(DeployedCollectors, LifeCycleEventsReachTheFile) {
   const TemporaryDirectory directory;
   const Deployment deployment = deploymentOf(
       directory.file(""), logOf("EventCollector", R"({"file": "life.jsonl"})"), "PSM/component");
@@ -143,7 +143,7 @@ TEST(DeployedCollectors, MistakesAreNamed) {
                   .ends_with("Name a file in an existing folder that you may write to"));
 }
 
-TEST(DeployedCollectors, AStartThatIsRefusedLeavesTheFile) {
+TEST(DeployedCollectors, ARefusedStartLeavesTheFile) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("arm.jsonl");
   std::ofstream(file) << "{\"kept\": 1}\n";
@@ -160,7 +160,7 @@ TEST(DeployedCollectors, AStartThatIsRefusedLeavesTheFile) {
   EXPECT_EQ(linesOf(file).size(), 1u);
 }
 
-TEST(DeployedCollectors, ARecordingThatIsBeingWrittenIsLeftAlone) {
+TEST(DeployedCollectors, AnotherRunsRecordingIsLeftAlone) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("arm.jsonl");
   const Deployment deployment = everySecondState(directory.file(""));

@@ -30,7 +30,7 @@ TEST(Deployment, Sound) {
   EXPECT_EQ(deployment.connections()[1].to.toString(), "right:PSM1/Arm");
 }
 
-TEST(Deployment, OneProcessNeedsNoManagerAndNoNames) {
+TEST(Deployment, OneProcessNeedsNoManager) {
   const Deployment deployment(JsonDocument::parse(
       R"({"processes": [{"name": "all", "components": [
             {"name": "a", "class": "A"}, {"name": "b", "class": "B"}]}],
@@ -46,7 +46,7 @@ void expectOneThatBegins(const std::vector<std::string>& problems, const std::st
 }
 
 // The global manager, of which the file may know nothing, refuses the same names.
-TEST(Deployment, NamesOfProcessesAreCheckedWithoutAManager) {
+TEST(Deployment, ProcessNamesAreCheckedWithoutAManager) {
   const auto problemsWith = [](const std::string& name) {
     return problemsOf(R"({"processes": [{"name": ")" + name + R"(", "components": []}]})");
   };
@@ -65,7 +65,7 @@ TEST(Deployment, NamesOfProcessesAreCheckedWithoutAManager) {
 }
 
 // The process would refuse these names when it adds the components.
-TEST(Deployment, NamesOfComponentsAreThoseThatAProcessTakes) {
+TEST(Deployment, AComponentsNameMustSuitAProcess) {
   for (const std::string name :
        {"", "a b", "a:b", "a/b", "a->b", "a\\tb", "a\\nb", "a\\n->b", "a\\u0000b", "a\\u001bb"}) {
     SCOPED_TRACE(name);
@@ -86,7 +86,7 @@ TEST(Deployment, UnknownKeySuggestsTheRightOne) {
              "'processes' and 'title'");
 }
 
-TEST(Deployment, TitleIsForPeopleAndMayBeLeftOut) {
+TEST(Deployment, TheTitleIsOptional) {
   const auto titleOf = [](const std::string& text) {
     return Deployment(JsonDocument::parse(text, "d.json")).title();
   };
@@ -217,7 +217,7 @@ TEST(Deployment, ContractsThatAreNone) {
   }
 }
 
-TEST(Deployment, AWordThatAContractDoesNotKnowIsToldWithThoseThatItKnows) {
+TEST(Deployment, AnUnknownWordsMessageListsTheKnown) {
   const auto problemsWith = [](const char* value) {
     return problemsOf(with("\"lane\": \"rpc\"", std::string("\"contract\": ") + value));
   };
@@ -347,7 +347,7 @@ TEST(Deployment, ProblemsOfSeveralPlacesAreToldTogether) {
   EXPECT_EQ(problemsOf(text).size(), 3u);  // unknown, missing, unknown
 }
 
-TEST(Deployment, MistakesOfConnectionsAreToldBeforeAnythingStarts) {
+TEST(Deployment, ConnectionMistakesAreToldFirst) {
   std::string text = with("\"lane\": \"rpc\"", R"("contract": {"silence": "5ms"})");
   text.replace(text.find("MTML/Arm\""), 9, "MTML/Arm\", \"lane_required\": true");
   EXPECT_EQ(problemsOf(text),
@@ -359,7 +359,7 @@ TEST(Deployment, MistakesOfConnectionsAreToldBeforeAnythingStarts) {
   EXPECT_EQ(problemsOf(with("\"lane\": \"rpc\"", R"("contract": {"silence": "10ms"})")).size(), 0u);
 }
 
-TEST(Deployment, ATextThatIsTooLongForItsPatternIsRefused) {
+TEST(Deployment, ATooLongTextIsRefused) {
   const std::string name(200000, 'x');
   expectOnly(with("\"name\": \"left\"", "\"name\": \"" + name + "\""),
              "d.json:5: error: a text of 200000 characters is longer than 1024, which is the most "
@@ -385,7 +385,7 @@ TEST(Deployment, UnknownComponent) {
              "'Teleop'; did you mean 'MTML'?");
 }
 
-TEST(Deployment, ProcessMustBeNamedIfThereAreTwo) {
+TEST(Deployment, OneOfTwoProcessesMustBeNamed) {
   expectOnly(with("left:MTML/Arm", "MTML/Arm"),
              "d.json:17: error: 'MTML/Arm' does not say in which process; write \"left:MTML/Arm\" "
              "or another of 'left' and 'right'");
@@ -408,7 +408,7 @@ TEST(Deployment, TwoProvidersForOneRequiredInterface) {
              "'left:MTML/Arm'; a required interface has one provider: remove one of the two");
 }
 
-TEST(Deployment, AskingForAProcessThatIsNotThere) {
+TEST(Deployment, AnAbsentProcessIsAnError) {
   const Deployment deployment(JsonDocument::parse(kSound, "d.json"));
   try {
     deployment.process("lift");

@@ -22,20 +22,20 @@ TEST(HostProblems, UnknownClass) {
             "'EventCollector'; did you mean 'SimulatedArm'?");
 }
 
-TEST(HostProblems, ACollectorThatIsSpelledWronglyIsGuessed) {
+TEST(HostProblems, AMisspelledCollectorIsGuessed) {
   const auto problems = problemsOf(deploymentOf("{\"name\": \"L\", \"class\": \"StateColector\"}"));
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_TRUE(problems[0].ends_with("did you mean 'StateCollector'?")) << problems[0];
 }
 
-TEST(HostProblems, AClassOfNobodyMayBeOneOfALibrary) {
+TEST(HostProblems, AnUnknownClassMayNeedALibrary) {
   const auto problems = problemsOf(deploymentOf("{\"name\": \"G\", \"class\": \"Gripper\"}"));
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_TRUE(problems[0].ends_with("one of a shared library needs the key \"library\" too"))
       << problems[0];
 }
 
-TEST(HostProblems, WrongParametersOfAllComponentsAreToldAtOnce) {
+TEST(HostProblems, WrongParametersAreToldTogether) {
   const auto problems = problemsOf(deploymentOf(
       "{\"name\": \"A\", \"class\": \"SimulatedArm\",\n"
       "\"parameters\": {\"perod\": 0.001,\n"
@@ -61,7 +61,7 @@ TEST(HostProblems, ComponentThatRefusesToExist) {
 }
 
 // The constructor may have thrown because the key that it needs is spelled wrongly.
-TEST(HostProblems, UnknownParametersComeBeforeWhatAConstructorThrew) {
+TEST(HostProblems, UnknownParametersComeFirst) {
   const auto problems = problemsOf(
       deploymentOf("{\"name\": \"R\", \"class\": \"Refusing\", \"parameters\": {\"prot\": 7}}"));
   ASSERT_EQ(problems.size(), 2u);
@@ -125,7 +125,7 @@ TEST(HostProblems, ItsProvidedInterfaceThatAnotherProcessMisspells) {
 }
 
 // Else the declaration would hold for no interface, and nobody would be told.
-TEST(HostProblems, InterfaceThatHasAnotherNameThanInTheHeader) {
+TEST(HostProblems, AnInterfacesNameMustMatchItsHeader) {
   const auto problemOf = [](std::unique_ptr<Component> (*create)(const JsonReader&)) {
     const std::array classes{ComponentClass{"Client", create}};
     const Deployment deployment = deploymentOf("{\"name\": \"C\", \"class\": \"Client\"}");

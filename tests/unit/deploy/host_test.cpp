@@ -113,7 +113,7 @@ TEST(Host, OptionalInterfaceWithoutAConnection) {
   EXPECT_TRUE(host.troubles().empty());
 }
 
-TEST(Host, ATaskIsRestartedAsTheFileSays) {
+TEST(Host, ATaskIsRestartedAsConfigured) {
   const Deployment deployment =
       deploymentOf(R"({"name": "T", "class": "Throwing", "restart": {"most": 2, "per": "1000s"}})");
   Host host(deployment, "all", kClasses);
@@ -137,7 +137,7 @@ TEST(Host, ARestartIsNews) {
   EXPECT_TRUE(host.troubles().empty());
 }
 
-TEST(Host, DoesNotPromiseThatAStoppedComponentIsConnectedAnew) {
+TEST(Host, PromisesNoConnectionToAStoppedComponent) {
   const TemporaryDirectory directory;
   rpc::ControlThread control;
   const GlobalManager names(control, "unix:" + directory.file("m.sock"));
@@ -161,7 +161,7 @@ TEST(Host, DoesNotPromiseThatAStoppedComponentIsConnectedAnew) {
   EXPECT_TRUE(contains(troubles[0], "restart either process")) << troubles[0];
 }
 
-TEST(Host, ABlackBoxKeepsWhatTheFileSays) {
+TEST(Host, ABlackBoxFollowsTheFile) {
   const TemporaryDirectory directory;
   const Deployment deployment = boxed(directory.file(""), R"(, "rows": 1024, "components": ["T"])");
   Host host(deployment, "all", kClasses);
@@ -180,7 +180,7 @@ TEST(Host, ABlackBoxKeepsWhatTheFileSays) {
 }
 
 // A process that ends while a file is written told of the fault, and not where its state is.
-TEST(Host, HasTheNewsOfABlackBoxThatHasEnded) {
+TEST(Host, TellsThatABlackBoxEnded) {
   const TemporaryDirectory directory;
   const Deployment deployment = boxed(directory.file(""));
   Host host(deployment, "all", kClasses);
@@ -205,7 +205,7 @@ TEST(Host, TellsWhatComponentsSay) {
   EXPECT_TRUE(silent.news().empty());
 }
 
-TEST(Host, ComponentThatThrowsIsNamedAndTheOthersGoOn) {
+TEST(Host, AThrowingComponentIsNamed) {
   const Deployment deployment = deploymentOf(
       "{\"name\": \"T\", \"class\": \"Throwing\"},\n"
       "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"}");

@@ -63,7 +63,7 @@ TEST(InterfaceFrames, AreComparedWhenTheDeploymentConnects) {
       << refused[0];
 }
 
-TEST(InterfaceFrames, FramesOfAnUnknownInterfaceAreAnError) {
+TEST(InterfaceFrames, AnUnknownInterfaceIsAnError) {
   EXPECT_EQ(start(R"("Amr": {"reference": "PSM1_base"})", ""),
             Texts{"d.json:2: error: component 'PSM1': declaring the frames of interface 'Amr': its "
                   "component has interfaces 'Arm'. Did you mean 'Arm'?"});

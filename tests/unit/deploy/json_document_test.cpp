@@ -38,7 +38,7 @@ TEST(JsonDocument, KnowsTheLineOfEachValue) {
   EXPECT_EQ(document.value().at("b").at("c").at(1), 20);
 }
 
-TEST(JsonDocument, AMissingKeyIsAtItsParentsLine) {
+TEST(JsonDocument, AMissingKeyHasItsParentsLine) {
   const auto document = JsonDocument::parse("{\n\"a\": {\n\"b\": 1}}", "f.json");
   EXPECT_EQ(document.lineOf("/a/missing/deeper"), 2);
   EXPECT_EQ(document.locate("/a/b", "wrong"), "f.json:3: error: wrong");
@@ -54,7 +54,7 @@ TEST(JsonDocument, EachOfManyValuesHasItsLine) {
   }
 }
 
-TEST(JsonDocument, ATextThatIsNestedWithoutEndIsRefused) {
+TEST(JsonDocument, EndlessNestingIsRefused) {
   EXPECT_EQ(problemsOf("[\n" + std::string(8000, '[')),
             std::vector<std::string>{
                 "f.json:2: error: nested more than 64 deep; no value is, so remove what opens"});
@@ -74,7 +74,7 @@ TEST(JsonDocument, SyntaxErrorNamesLineAndColumn) {
   EXPECT_NE(problems[0].find("expected '}'"), std::string::npos) << problems[0];
 }
 
-TEST(JsonDocument, SyntaxErrorAfterALineBreakIsOnItsOwnLine) {
+TEST(JsonDocument, ASyntaxErrorHasItsOwnLine) {
   const auto problems = problemsOf("{\n]");
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_TRUE(problems[0].starts_with("f.json:2:1: error: ")) << problems[0];

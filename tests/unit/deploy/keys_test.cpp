@@ -44,7 +44,7 @@ class DeploymentKeys : public testing::Test {
   const suture::TemporaryDirectory directory_;
 };
 
-TEST_F(DeploymentKeys, EachProcessAndTheGlobalManagerGetSome) {
+TEST_F(DeploymentKeys, EachProcessAndManagerGetSome) {
   const auto made = suture::makeKeys({.deployment = write(deploymentAt("tls://127.0.0.1:1")),
                                       .processes = {"gui"},
                                       .out = keys()});
@@ -55,7 +55,7 @@ TEST_F(DeploymentKeys, EachProcessAndTheGlobalManagerGetSome) {
   EXPECT_EQ(suture::makeKeys({.deployment = "", .processes = {"late"}, .out = keys()}).size(), 2u);
 }
 
-TEST_F(DeploymentKeys, AFolderThatCannotBeIsAnError) {
+TEST_F(DeploymentKeys, AnImpossibleFolderIsAnError) {
   const std::string out(300, 'x');
   const std::string error =
       refusal([&] { suture::makeKeys({.deployment = "", .processes = {"left"}, .out = out}); });
@@ -73,7 +73,7 @@ TEST_F(DeploymentKeys, TheCommandLineSaysWhatIsWanted) {
   EXPECT_THROW(program.parse("--process left"), CLI::RequiredError);
 }
 
-TEST_F(DeploymentKeys, ACommandLineWithoutProcessesIsAnError) {
+TEST_F(DeploymentKeys, ACommandLineNeedsProcesses) {
   CLI::App program;
   KeysRequest request;
   suture::addKeysOptions(program, request);
@@ -115,7 +115,7 @@ TEST_F(DeploymentKeys, AHostWarnsBeforeTheyEnd) {
   EXPECT_TRUE(host.news().empty());
 }
 
-TEST_F(DeploymentKeys, TlsWithoutThemIsAnErrorOfTheFile) {
+TEST_F(DeploymentKeys, TlsWithoutThemIsAnError) {
   const std::string error = refusal([&] {
     Deployment(JsonDocument::parse(
         R"({"manager": "tls://10.0.0.1:7700", "processes": [{"name": "a", "components": []}]})",
@@ -124,7 +124,7 @@ TEST_F(DeploymentKeys, TlsWithoutThemIsAnErrorOfTheFile) {
   EXPECT_TRUE(contains(error, "d.json:1: error: 'tls://10.0.0.1:7700' needs keys")) << error;
 }
 
-TEST_F(DeploymentKeys, APolicyThatIsWrongStopsTheHost) {
+TEST_F(DeploymentKeys, AWrongPolicyStopsTheHost) {
   std::ofstream(directory_.file("policy.json")) << R"({"roles": [], "rules": []})";
   const Deployment deployment(JsonDocument::read(
       write(R"({"policy": "policy.json", "processes": [{"name": "a", "components": []}]})")));

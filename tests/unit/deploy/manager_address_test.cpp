@@ -8,7 +8,7 @@
 namespace suture::sound {
 namespace {
 
-TEST(ManagerAddress, SocketsCountFromTheFolderOfTheFile) {
+TEST(ManagerAddress, SocketsCountFromTheFilesFolder) {
   const std::string relative = with("unix:/tmp/suture.sock", "unix:run/a.sock,unix:/run/b.sock");
   const Deployment deployment(JsonDocument::parse(relative, "/home/lab/d.json"));
   EXPECT_EQ(deployment.manager(), "unix:/home/lab/run/a.sock,unix:/run/b.sock");
@@ -38,7 +38,7 @@ TEST(ManagerAddress, MalformedAddresses) {
       << manager[0];
 }
 
-TEST(ManagerAddress, TwoProcessesOrLaneRpcNeedAManager) {
+TEST(ManagerAddress, TwoProcessesOrRpcNeedAManager) {
   const auto problems = problemsOf(with("\"manager\": \"unix:/tmp/suture.sock\",", ""));
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_TRUE(problems[0].starts_with("d.json:1: error: 2 processes need a global manager"));

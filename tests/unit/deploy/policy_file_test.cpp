@@ -46,7 +46,7 @@ TEST(PolicyFile, GivesRolesToThoseOfItsRules) {
   EXPECT_FALSE(policy.admits({Proof::Certificate, 0, "stranger"}));
 }
 
-TEST(PolicyFile, EachMistakeIsToldWithItsLineAndWhatToDo) {
+TEST(PolicyFile, EachMistakeIsToldWithItsLine) {
   const std::string cases[][3] = {
       {"\"role\": \"viewer\"", "\"role\": \"viwer\"",
        "p.json:8: error: no role 'viwer' here; there are 'surgeon' and 'viewer'; did you mean "
@@ -62,7 +62,7 @@ TEST(PolicyFile, EachMistakeIsToldWithItsLineAndWhatToDo) {
   }
 }
 
-TEST(PolicyFile, AFileThatIsNotThereIsNamed) {
+TEST(PolicyFile, AMissingFileIsNamed) {
   try {
     readPolicy(std::filesystem::path("/nonexistent/policy.json"));
     FAIL() << "read";

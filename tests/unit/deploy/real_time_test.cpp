@@ -69,7 +69,7 @@ TEST(RealTime, InvalidSchedulingIsAnError) {
   EXPECT_TRUE(problemWith("{}").starts_with(line));
 }
 
-TEST(RealTime, ADeviceHasNoThreadToBeScheduled) {
+TEST(RealTime, ADeviceHasNoSchedulableThread) {
   const Deployment deployment =
       deploymentWith("", ", \"scheduling\": {\"processor\": 0}", "Cupboard");
   EXPECT_EQ(problemsOf([&] { const Host host(deployment, "all", kOffered); }),
@@ -78,7 +78,7 @@ TEST(RealTime, ADeviceHasNoThreadToBeScheduled) {
                   "whose thread it runs"});
 }
 
-TEST(RealTime, MissingRightsAreAWarningOrAnError) {
+TEST(RealTime, MissingRightsWarnOrFail) {
   const auto withFarProcessors = [](const std::string& key) {
     return deploymentWith(key + "\"scheduling\": {\"processor\": 1000},",
                           ", \"scheduling\": {\"processor\": 1001}");

@@ -66,7 +66,7 @@ std::vector<std::string> kindsIn(const std::string& text) {
 
 class SlowReader : public testing::TestWithParam<int> {};
 
-TEST_P(SlowReader, GetsEveryMessageWholeAndLeavesReportsOut) {
+TEST_P(SlowReader, GetsWholeMessagesWithoutReports) {
   const Pipe pipe(GetParam());
   pipe.fill();
   ReportWriter writer(pipe.writer(), ReportWriter::Form::Json);
@@ -115,7 +115,7 @@ TEST_P(SlowReader, GetsWhatIsLongerThanThePipe) {
 
 INSTANTIATE_TEST_SUITE_P(Pipes, SlowReader, testing::Values(0, O_NONBLOCK));
 
-TEST(ReportWriter, AReaderThatHasGoneIsNoError) {
+TEST(ReportWriter, AGoneReaderIsNoError) {
   std::signal(SIGPIPE, SIG_IGN);
   std::array<int, 2> ends{};
   ASSERT_EQ(pipe(ends.data()), 0);
@@ -127,7 +127,7 @@ TEST(ReportWriter, AReaderThatHasGoneIsNoError) {
   close(ends[1]);
 }
 
-TEST(ReportWriter, AFileThatTakesNoMoreIsToldOnce) {
+TEST(ReportWriter, AFullFileIsToldOnce) {
   const int full = open("/dev/full", O_WRONLY | O_CLOEXEC);
   ASSERT_GE(full, 0);
   ReportWriter writer(full, ReportWriter::Form::Text);

@@ -15,7 +15,7 @@ namespace {
 using Seven = Coupling<7>::Vector;
 enum Disc { Roll = 3, Pitch, Yaw, Jaw };
 
-TEST(PsmCoupling, EachDiscTurnsWhatItsCablesLeadTo) {
+TEST(PsmCoupling, EachDiscTurnsItsCablesJoints) {
   const auto turned = [](int disc) { return psmCoupling().joints(Seven::Unit(disc)); };
   EXPECT_TRUE(turned(0).isApprox(Seven::Unit(0)));
   EXPECT_TRUE(turned(2).isApprox(Seven::Unit(2)));
@@ -27,7 +27,7 @@ TEST(PsmCoupling, EachDiscTurnsWhatItsCablesLeadTo) {
 
 // The motor of the shoulder carries the forearm along as a parallelogram does, so that its
 // direction stays, and the platform turns back by as much of that as its cables run over.
-TEST(MtmCoupling, EachMotorTurnsWhatItsCablesLeadTo) {
+TEST(MtmCoupling, EachMotorTurnsItsCablesJoints) {
   enum Motor { OuterYaw, Shoulder, Elbow, Platform };
   const auto turned = [](int motor) { return mtmCoupling().joints(Seven::Unit(motor)); };
   EXPECT_TRUE(turned(OuterYaw).isApprox(Seven::Unit(OuterYaw)));
@@ -39,13 +39,13 @@ TEST(MtmCoupling, EachMotorTurnsWhatItsCablesLeadTo) {
 
 // Both are published, and each by itself: what the motors can, and what that comes to at the
 // joints.
-TEST(MtmCoupling, MakesTheEffortsOfJointsOfThoseOfMotors) {
+TEST(MtmCoupling, MotorEffortsBecomeJointEfforts) {
   const auto mechanics = dynamics::mtmMechanics();
   const Seven most = mtmCoupling().jointEffortBounds(mechanics.motor_limit);
   EXPECT_LT((most - mechanics.effort_limit).cwiseAbs().maxCoeff(), 1e-7) << most.transpose();
 }
 
-TEST(MtmCoupling, BoundsJointsByWhatTheirActuatorsAreOffBy) {
+TEST(MtmCoupling, ActuatorErrorsBoundJoints) {
   const Seven bounds = mtmCoupling().jointBounds(Seven::Constant(1));
   EXPECT_DOUBLE_EQ(bounds[2], 2);
   EXPECT_DOUBLE_EQ(bounds[3], 1 + 2 * 0.6697);

@@ -60,7 +60,7 @@ TEST(Encoders, StillTellWholeCountsOfNoise) {
 }
 
 // Encoders tell 1 - 1/e of a velocity that begins after one time constant, and at last all of it.
-TEST(Encoders, TellVelocitiesAsLateAsTheFilterIs) {
+TEST(Encoders, DelayVelocitiesByTheFilter) {
   constexpr double kPeriod = 1e-5, kFilter = 0.005, kSpeed = 0.3;
   Encoders<2> encoders({.step = kCounts, .quantisation = false, .velocity_filter = kFilter},
                        Pair::Zero());

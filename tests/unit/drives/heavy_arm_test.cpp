@@ -48,7 +48,7 @@ TEST(HeavyArm, IsWhatTheParameterChooses) {
 
 // Its motors carry it, and rub. The weight is no force at its tip, and friction is none either, but
 // friction cannot be told from one.
-TEST(HeavyArm, AtRestPressesNoHarderThanItsFriction) {
+TEST(HeavyArm, PressesNoHarderThanItsFriction) {
   Psm psm(PsmParameters{});
   PsmDrives drives({.permit = {}, .dynamics = DriveDynamics::RigidBody});
   Robot robot(psm, drives);

@@ -86,7 +86,7 @@ TEST_F(HeavyDrivesTest, StopWithoutAPermit) {
   EXPECT_EQ(yaw(), stopped);
 }
 
-TEST_F(HeavyDrivesTest, AStreamThatFallsSilentLeavesTheJoints) {
+TEST_F(HeavyDrivesTest, ASilentStreamLeavesTheJoints) {
   drives_.power_on(drives_.feedback().permitted);
   follow(1, 60);
   cycles(1500);
@@ -101,21 +101,21 @@ TEST_F(HeavyDrivesTest, SayThatTheyControlEfforts) {
   EXPECT_TRUE(drives_.feedback().controls_effort);
 }
 
-TEST_F(HeavyDrivesTest, PushReleasedJointsAndDoNotHoldThem) {
+TEST_F(HeavyDrivesTest, PushButDoNotHoldReleasedJoints) {
   drives_.power_on(drives_.feedback().permitted);
   release(0.5, 200);
   EXPECT_GT(yaw(), parked_[0] + 0.005);
   EXPECT_NEAR(yawEffort(), 0.5, 1e-2);
 }
 
-TEST_F(HeavyDrivesTest, AddTheEffortOfAGoalToWhatHoldsAJoint) {
+TEST_F(HeavyDrivesTest, AddAGoalsEffort) {
   drives_.power_on(drives_.feedback().permitted);
   goal_.effort[0] = 1;
   follow(parked_[0], 600);
   EXPECT_NEAR(yaw(), parked_[0] + 1 / heavyMtm().stiffness[0], 3e-3);
 }
 
-TEST_F(HeavyDrivesTest, HoldReleasedJointsWhenTheStreamFallsSilent) {
+TEST_F(HeavyDrivesTest, HoldReleasedJointsAfterSilence) {
   drives_.power_on(drives_.feedback().permitted);
   release(0.5, 200);
   cycles(750);
@@ -133,7 +133,7 @@ TEST_F(HeavyDrivesTest, DropAnEffortThatIsNoNumber) {
   EXPECT_NEAR(yaw(), parked_[0], 1e-3);
 }
 
-TEST_F(HeavyDrivesTest, HoldWhatTheyReleasedIfPowerComesBackWithinACycle) {
+TEST_F(HeavyDrivesTest, HoldWhatABriefLossReleased) {
   drives_.power_on(drives_.feedback().permitted);
   release(0.5, 200);
   drives_.power_off();
@@ -158,13 +158,13 @@ TEST_F(HeavyDrivesTest, BeginAndEndCompensationGradually) {
   }
 }
 
-TEST_F(HeavyDrivesTest, CarryTheArmAtOnceWhenPowerBegins) {
+TEST_F(HeavyDrivesTest, CarryTheArmAtOnce) {
   drives_.power_on(drives_.feedback().permitted);
   cycles(2);
   EXPECT_GT(std::abs(shoulderEffort()), 0.5);
 }
 
-TEST_F(HeavyDrivesTest, LeadTheSetPointNoFartherWhenTheyAreLate) {
+TEST_F(HeavyDrivesTest, LeadALateSetPointNoFarther) {
   auto model = heavyMtm();
   model.rate_limit.setConstant(0.01);
   SimulatedDrives<7> slow{std::make_unique<RigidBodyJoints<7>>(model)};

@@ -16,7 +16,7 @@ JointDynamics<2> atRest(double timeConstant = 0.01, double rate = 1.0) {
           TwoJoints::Zero()};
 }
 
-TEST(JointDynamics, ReachesOneTimeConstantsShareOfASmallStep) {
+TEST(JointDynamics, ReachesOneTimeConstantsShare) {
   auto joints = atRest();
   joints.command(TwoJoints(0.005, 0));
   joints.advance(0.01);
@@ -43,7 +43,7 @@ TEST(JointDynamics, CutsSetpointsToThePositionLimits) {
 
 // The exact solution composes: the result depends on elapsed time, not on how it was sliced; also
 // where the rate limit lets go in the middle of a step.
-TEST(JointDynamics, DoesNotDependOnHowTimeIsSliced) {
+TEST(JointDynamics, TimeSlicesDoNotMatter) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> value(-1, 1), share(0, 1);
   for (int sample = 0; sample < 10'000; ++sample) {

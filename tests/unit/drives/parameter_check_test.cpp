@@ -31,7 +31,7 @@ TEST(ParameterCheck, NamesTheParameterAndWhatWasFound) {
   EXPECT_EQ(whyNot(judge), "a hand: its damping in N.s/m is -2.5, and must be zero or more");
 }
 
-TEST(ParameterCheck, RefusesZeroOnlyWhereItMustBePositive) {
+TEST(ParameterCheck, RefusesZeroWhereItMustBePositive) {
   EXPECT_EQ(whyNot([](const ParameterCheck& hand) { hand.isPositive("mass", 0); }),
             "a hand: its mass is 0, and must be positive");
   EXPECT_EQ(whyNot([](const ParameterCheck& hand) { hand.isNotNegative("mass", 0); }), "");
@@ -43,7 +43,7 @@ TEST(ParameterCheck, RefusesWhatIsNotANumber) {
   EXPECT_NE(whyNot([](const ParameterCheck& hand) { hand.isFinite("mass", kNan); }), "");
 }
 
-TEST(ParameterCheck, RefusesInfinityOnlyWhereItMustBeFinite) {
+TEST(ParameterCheck, RefusesInfinityWhereItMustBeFinite) {
   EXPECT_EQ(whyNot([](const ParameterCheck& hand) { hand.isPositive("mass", kInfinity); }), "");
   EXPECT_EQ(whyNot([](const ParameterCheck& hand) { hand.isFinite("mass", kInfinity); }),
             "a hand: its mass is inf, and must be finite");

@@ -69,7 +69,7 @@ class ReleasedArm : public testing::Test {
   Robot<Mtm, MtmDrives> robot_{mtm_, drives_};
 };
 
-TEST_F(ReleasedArm, MovesLessThanAMillimetreIfItsMotorsCarryIt) {
+TEST_F(ReleasedArm, ItsMotorsKeepItWithinAMillimetre) {
   const Eigen::Vector3d before = tip();
   release(5s);
   expectState(ArmState::Enabled, "servo_jf");
@@ -98,7 +98,7 @@ TEST_F(ReleasedArm, IsReleasedByFreeWithoutAStream) {
   EXPECT_EQ(efforts(), Joints7::Zero());
 }
 
-TEST_F(ReleasedArm, IsCaughtWhereItIsWhenItIsHeldAgain) {
+TEST_F(ReleasedArm, IsCaughtWhereItIs) {
   compensate(false);
   release(300ms);
   compensate(true);
@@ -112,7 +112,7 @@ TEST_F(ReleasedArm, IsCaughtWhereItIsWhenItIsHeldAgain) {
 }
 
 // A controller without an integral part is off by as much as its stiffness leaves of a load.
-TEST_F(ReleasedArm, SinksByItsWeightOverItsStiffnessWhileItIsHeld) {
+TEST_F(ReleasedArm, SinksByWeightOverStiffness) {
   const Joints7 stiffness = heavyMtm().stiffness;
   const Joints7 before = joints(), load = weight();
   compensate(false);
@@ -139,7 +139,7 @@ TEST_F(ReleasedArm, GivesTheEffortThatAClientStreams) {
   EXPECT_GT(joints()[kYaw] - before[kYaw], 0.02);
 }
 
-TEST_F(ReleasedArm, GivesNoMoreThanItsJointsMayTake) {
+TEST_F(ReleasedArm, GivesNoMoreThanJointsTake) {
   push(200ms, effort(kYaw, -100));
   expectState(ArmState::Enabled, "servo_jf");
   EXPECT_LE(std::abs(efforts()[kYaw]), mechanics_.effort_limit[kYaw] * (1 + 1e-9));
@@ -169,7 +169,7 @@ TEST_F(ReleasedArm, IsHeldWhenTheStreamFallsSilent) {
   EXPECT_EQ(drives_.feedback().power, DrivePower::On);
 }
 
-TEST_F(ReleasedArm, IsNotReleasedWhileItIsPausedOrDisabled) {
+TEST_F(ReleasedArm, IsNotReleasedWhileDisabled) {
   push(200ms, effort(kYaw, 0.5));
   EXPECT_TRUE(robot_.panel.arm.pause());
   pass(300ms);
@@ -183,7 +183,7 @@ TEST_F(ReleasedArm, IsNotReleasedWhileItIsPausedOrDisabled) {
   EXPECT_EQ(efforts(), Joints7::Zero());
 }
 
-TEST_F(ReleasedArm, PressesWithTheWrenchThatAClientStreams) {
+TEST_F(ReleasedArm, PressesWithTheStreamedWrench) {
   EXPECT_TRUE(robot_.panel.arm.home());
   pass(3s);
   ASSERT_TRUE(mtm_.operating_state().is_homed);
@@ -200,7 +200,7 @@ TEST_F(ReleasedArm, PressesWithTheWrenchThatAClientStreams) {
   EXPECT_LT((body.force - goal.force).norm(), 0.02) << body.force.transpose();
 }
 
-TEST(ReleasedPsm, StaysOrFallsAsItsMotorsCarryIt) {
+TEST(ReleasedPsm, StaysOrFallsByItsMotors) {
   Psm psm(PsmParameters{});
   PsmDrives drives({.permit = {}, .dynamics = DriveDynamics::RigidBody});
   Robot robot(psm, drives);
@@ -216,7 +216,7 @@ TEST(ReleasedPsm, StaysOrFallsAsItsMotorsCarryIt) {
 }
 
 // Joints without mass have no motors to push with.
-TEST(LaggingMtm, IsMovedByAnEffortAndNotReleased) {
+TEST(LaggingMtm, AnEffortMovesButDoesNotRelease) {
   Mtm mtm(MtmParameters{});
   MtmDrives drives({.permit = {}});
   Robot robot(mtm, drives);

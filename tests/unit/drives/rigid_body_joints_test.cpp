@@ -35,14 +35,14 @@ TEST(ReleasedMtm, StaysWhereItIsWithGravityCompensation) {
 }
 
 // Friction alone does not hold it: without any it stays nearly as well.
-TEST(ReleasedMtm, IsHeldByItsMotorsAndNotByFriction) {
+TEST(ReleasedMtm, ItsMotorsHoldItWithoutFriction) {
   auto model = released(heavyMtm());
   model.mechanics.coulomb *= 0.05;
   RigidBodyJoints<7> joints(model);
   EXPECT_LT(tipMoved(kinematics::mtmLeft(), joints, 2), 0.001);
 }
 
-TEST(ReleasedMtm, FallsWithoutGravityCompensationAndIsCaughtByItsStops) {
+TEST(ReleasedMtm, FallsToItsStopsWithoutCompensation) {
   RigidBodyJoints<7> joints(released(heavyMtm({.gravity_compensation = false})));
   const auto chain = kinematics::mtmLeft();
   double moved = 0;
@@ -116,7 +116,7 @@ TEST(Effort, IsWithinWhatEachMotorGives) {
 }
 
 // A client that pushes all the time would speed it up until it hits its stop.
-TEST(Effort, DrivesAReleasedJointHardlyFasterThanItsRateLimit) {
+TEST(Effort, KeepsAReleasedJointsRateLimit) {
   auto model = heavyMtm();
   model.rate_limit.setConstant(1);
   RigidBodyJoints<7> joints(model);
@@ -172,7 +172,7 @@ TEST(Brakes, HoldWhatWouldFall) {
   EXPECT_LT(joints.velocity().cwiseAbs().maxCoeff(), 1e-6);
 }
 
-TEST(Brakes, AreWhatKeepsAnArmFromSinkingWithoutPower) {
+TEST(Brakes, KeepAnUnpoweredArmFromSinking) {
   RigidBodyJoints<7> joints(heavyMtm({.brakes = false}));
   const auto chain = kinematics::mtmLeft();
   EXPECT_LT(tipMoved(chain, joints, 0.2), 0.001) << "with power it stays";

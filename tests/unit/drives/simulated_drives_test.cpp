@@ -103,7 +103,7 @@ TEST_F(SimulatedDrivesTest, TheBrakesHoldAtOnce) {
   EXPECT_EQ(position(), stopped);
 }
 
-TEST_F(SimulatedDrivesTest, AStreamThatFallsSilentLeavesTheJoints) {
+TEST_F(SimulatedDrivesTest, ASilentStreamLeavesTheJoints) {
   drives_.power_on(drives_.feedback().permitted);
   follow(2, 10);
   for (int i = 0; velocity() != 0; ++i) {
@@ -117,7 +117,7 @@ TEST_F(SimulatedDrivesTest, AStreamThatFallsSilentLeavesTheJoints) {
   EXPECT_EQ(drives_.feedback().power, DrivePower::On);
 }
 
-TEST_F(SimulatedDrivesTest, LoseTheTimeForWhichTheyAreLate) {
+TEST_F(SimulatedDrivesTest, LoseTheTimeOfTheirDelay) {
   drives_.power_on(drives_.feedback().permitted);
   follow(2, 10);
   const double before = position();
@@ -127,7 +127,7 @@ TEST_F(SimulatedDrivesTest, LoseTheTimeForWhichTheyAreLate) {
   EXPECT_GT(position() - before, 0.03);
 }
 
-TEST_F(SimulatedDrivesTest, MoveAsLittleInTheLateCycleThatStopsThem) {
+TEST_F(SimulatedDrivesTest, ALateStopMovesThemNoFarther) {
   drives_.power_on(drives_.feedback().permitted);
   follow(2, 10);
   const double before = position();
@@ -168,7 +168,7 @@ TEST_F(SimulatedDrivesTest, ALostPermitStopsThemForGood) {
   EXPECT_NEAR(position(), 0.2, 1e-3);
 }
 
-TEST_F(SimulatedDrivesTest, AStopCancelsAnEarlierWishForPower) {
+TEST_F(SimulatedDrivesTest, AStopCancelsAnEarlierWish) {
   const suture::Time before = drives_.feedback().permitted;
   drives_.permit(false);
   drives_.permit(true);
@@ -188,7 +188,7 @@ TEST_F(SimulatedDrivesTest, BrakesHoldBetweenSteps) {
   EXPECT_EQ(position(), held);
 }
 
-TEST_F(SimulatedDrivesTest, WithoutMassFollowPositionsWhateverElseAGoalSays) {
+TEST_F(SimulatedDrivesTest, WithoutMassFollowOnlyPositions) {
   EXPECT_FALSE(drives_.feedback().controls_effort);
   drives_.power_on(drives_.feedback().permitted);
   DriveGoal there = goal(0.2);

@@ -121,10 +121,10 @@ void expectGravityIsTheSlopeOfPotentialEnergy(const Arm<N>& arm) {
   }
 }
 
-TEST(PotentialEnergy, ChangesByTheEffortThatHoldsThePsm) {
+TEST(PotentialEnergy, ChangesByThePsmsHoldingEffort) {
   expectGravityIsTheSlopeOfPotentialEnergy(psm());
 }
-TEST(PotentialEnergy, ChangesByTheEffortThatHoldsTheMtm) {
+TEST(PotentialEnergy, ChangesByTheMtmsHoldingEffort) {
   expectGravityIsTheSlopeOfPotentialEnergy(leftMtm());
 }
 

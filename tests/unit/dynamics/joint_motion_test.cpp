@@ -59,13 +59,13 @@ TEST_F(JointMotionTest, FrictionStopsASlowJoint) {
 }
 
 // A constant force ends in a constant speed: (effort - coulomb) / viscous.
-TEST_F(JointMotionTest, AForceEndsInTheSpeedThatFrictionLets) {
+TEST_F(JointMotionTest, FrictionBoundsAForcesSpeed) {
   effort_[kRoll] = arm_.coulomb[kRoll] + 0.5 * arm_.viscous[kRoll];
   cycles(600);
   EXPECT_NEAR(motion_.velocity()[kRoll], 0.5, 1e-6);
 }
 
-TEST_F(JointMotionTest, FrictionThatIsStrongDoesNotMoveIt) {
+TEST_F(JointMotionTest, StrongFrictionPreventsMotion) {
   JointMotion<6> tough(ArmDynamics<6>(chain_, arm_.links, Eigen::Vector3d::Zero()),
                        {.viscous = 1000 * arm_.viscous,
                         .coulomb = Joints::Zero(),
@@ -109,7 +109,7 @@ TEST_F(JointMotionTest, BrakesCatchIt) {
 }
 
 // A call after a second moves the joints by no more than its steps.
-TEST_F(JointMotionTest, ACallThatIsLateDoesNotLast) {
+TEST_F(JointMotionTest, ALateCallDoesNotLast) {
   effort_[kRoll] = arm_.coulomb[kRoll] + arm_.viscous[kRoll];
   cycles(600);
   const double before = motion_.position()[kRoll], speed = motion_.velocity()[kRoll];

@@ -22,7 +22,7 @@ TEST(Code, LongLinesBreakUnderTheOpenBracket) {
   EXPECT_EQ(code.text(), "call(" + argument + ",\n     " + argument + ");\n");
 }
 
-TEST(Code, BehindABracketTheBreakIndentsByFour) {
+TEST(Code, ALineAfterABracketIsIndented) {
   Code code;
   const std::string name(50, 'n');
   code.open("{").line("Type ", name, "{", kBreakText, "value, ", std::string(50, 'v'), "};");

@@ -36,7 +36,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST_F(EmitTest, EachOwnHeaderGivesAllOutputsInTheirOrder) {
+TEST_F(EmitTest, EachHeaderGivesOrderedOutputs) {
   std::vector<std::string> expected;
   for (const char* const stem : {"robots/arm", "robots/gripper", "robots/simulated_arm"}) {
     for (const Output& output : outputs()) {
@@ -48,7 +48,7 @@ TEST_F(EmitTest, EachOwnHeaderGivesAllOutputsInTheirOrder) {
   EXPECT_EQ(paths, expected);
 }
 
-TEST_F(EmitTest, SourcesOfABigHeaderShareItsDeclarations) {
+TEST_F(EmitTest, ABigHeadersSourcesShareDeclarations) {
   const std::string path = sample::armHeader(model_).path;
   std::string all;
   std::set<std::string> paths;
@@ -86,7 +86,7 @@ TEST_F(EmitTest, ADerivedContractKeepsItsBasesOrder) {
   EXPECT_EQ(emit(model_, locks), before);
 }
 
-TEST_F(EmitTest, ADerivedContractHoldsOnlyWhatItAdds) {
+TEST_F(EmitTest, ADerivedContractHoldsItsAdditions) {
   const std::string source = text("robots/gripper.wire.cpp");
   EXPECT_FALSE(contains(source, "ServoCpParams"));
   EXPECT_TRUE(contains(source,
@@ -96,7 +96,7 @@ TEST_F(EmitTest, ADerivedContractHoldsOnlyWhatItAdds) {
                        "class Required<robots::Gripper> : public Required<robots::Arm> {"));
 }
 
-TEST_F(EmitTest, AContractThatAddsNothingUsesItsBase) {
+TEST_F(EmitTest, AnEmptyDerivedContractUsesItsBase) {
   for (model::Header& header : model_.headers) {
     for (model::Interface& interface : header.interfaces) {
       if (interface.base.empty()) continue;
@@ -122,7 +122,7 @@ TEST_F(EmitTest, DocumentationIsCarriedOver) {
   EXPECT_TRUE(contains(text("robots/arm.suture.json"), "\"doc\": \"Powers the arm.\""));
 }
 
-TEST_F(EmitTest, LimitsAreIncludedWhereABoundNamesThem) {
+TEST_F(EmitTest, NamedBoundsIncludeLimits) {
   const auto includesLimits = [this] {
     return contains(text("robots/arm.suture.cpp"), "#include <limits>\n");
   };
@@ -138,7 +138,7 @@ TEST_F(EmitTest, LimitsAreIncludedWhereABoundNamesThem) {
   EXPECT_TRUE(includesLimits());
 }
 
-TEST_F(EmitTest, AContractOfNothingIsStillWellFormed) {
+TEST_F(EmitTest, AnEmptyContractIsWellFormed) {
   arm().commands.clear();
   arm().events.clear();
   const std::string source = text("robots/arm.suture.cpp");
@@ -147,7 +147,7 @@ TEST_F(EmitTest, AContractOfNothingIsStillWellFormed) {
   EXPECT_FALSE(contains(text("robots/arm.suture.h"), "struct Events"));
 }
 
-TEST_F(EmitTest, UnboundedTypesHaveASlotThatOwnsMemory) {
+TEST_F(EmitTest, AnUnboundedTypesSlotOwnsMemory) {
   EXPECT_TRUE(contains(text("robots/simulated_arm.suture.h"), "  suture::OpenText "));
 }
 
@@ -195,7 +195,7 @@ TEST_F(EmitTest, DescriptionSaysWhatTheTypesAre) {
   EXPECT_EQ(json["interfaces"][0]["events"][0]["latched"], true);
 }
 
-TEST_F(EmitTest, APageLinksToContractsOfOtherTargets) {
+TEST_F(EmitTest, APageLinksToOtherTargets) {
   model::Header& contract = sample::armHeader(model_);
   contract.own = false;
   for (model::Header& one : model_.headers) one.file = "/project/" + one.path;
@@ -205,7 +205,7 @@ TEST_F(EmitTest, APageLinksToContractsOfOtherTargets) {
   EXPECT_FALSE(contains(text("robots/simulated_arm.suture.md"), link));
 }
 
-TEST_F(EmitTest, ParametersOfEveryShapeOfNumbersAreReadWithinTheirRange) {
+TEST_F(EmitTest, NumbersAreReadWithinTheirRange) {
   const auto add = [](model::Struct& parameters, const std::string& name, model::Type type) {
     parameters.fields.push_back(sample::field(name, std::move(type)));
     parameters.fields.back().range = {{0, 1}};
@@ -230,7 +230,7 @@ TEST_F(EmitTest, ParametersOfEveryShapeOfNumbersAreReadWithinTheirRange) {
   }
 }
 
-TEST_F(EmitTest, OneSourceReadsAForeignTypeForAll) {
+TEST_F(EmitTest, OneSourceReadsAForeignType) {
   sample::armHeader(model_).own = false;  // with the enum that parameters have a value of
   model::Header other = model_.headers.back();
   other.path = "robots/third_arm.h";
@@ -246,7 +246,7 @@ TEST_F(EmitTest, OneSourceReadsAForeignTypeForAll) {
   EXPECT_FALSE(contains(second, reader + " {")) << "a unity build would have it twice";
 }
 
-TEST_F(EmitTest, TheEntryPointListsTheComponentsOfAllOwnHeaders) {
+TEST_F(EmitTest, TheEntryPointListsAllComponents) {
   model::Header other = model_.headers.back();
   other.path = "robots/other_arm.h";
   other.components[0].name = "robots::OtherArm";
@@ -275,7 +275,7 @@ extern "C" const suture::ComponentLibrary* suture_components() {
 )");
 }
 
-TEST_F(EmitTest, TheEntryPointOfNoComponentsIsEmpty) {
+TEST_F(EmitTest, AnEntryPointMayBeEmpty) {
   const std::string text = emitComponentLibrary(model::Model{}, "none", "none.cpp").text;
   EXPECT_FALSE(contains(text, "kClasses"));
   EXPECT_TRUE(contains(text, ".classes = {}}"));
@@ -304,7 +304,7 @@ TEST_F(EmitTest, ParametersMayBeTakenAsAnRvalue) {
                        "(new robots::SimulatedArm(std::move(values)));"));
 }
 
-TEST_F(EmitTest, RequiredInterfacesMayLimitTheAgeOfValues) {
+TEST_F(EmitTest, RequiredInterfacesMayLimitAges) {
   model::Component& component = model_.headers.back().components[0];
   component.ports = {model::Port{.member = "slave_",
                                  .name = "Slave",

@@ -7,7 +7,7 @@
 namespace suture::compiler::emit {
 namespace {
 
-TEST(Markdown, ColumnsThatAreEmptyInEveryRowAreLeftOut) {
+TEST(Markdown, EmptyColumnsAreLeftOut) {
   MarkdownTable table({"name", "unit", "about"});
   table.add({"x", "", "first"});
   table.add({"y", "", ""});

@@ -66,7 +66,7 @@ TEST(FaultInjector, LosesAsOftenAsIsAsked) {
   EXPECT_EQ(lostOf({.seed = 5}), 0);
 }
 
-TEST(FaultInjector, OneThatIsLateMayBeLateAgain) {
+TEST(FaultInjector, ALateOneMayBeLateAgain) {
   const auto lateOf = [](double again) {
     FaultInjector injector({.seed = 5, .delay = 0.1, .delayLength = 1ms, .delayAgain = again}, 0);
     std::vector<int> counts(10);
@@ -93,7 +93,7 @@ TEST(FaultInjector, JitterLetsNoneOvertakeOnAStream) {
   }
 }
 
-TEST(FaultInjector, ABurstIsAsLongAsIsAsked) {
+TEST(FaultInjector, ABurstIsAsLongAsAsked) {
   FaultInjector injector({.seed = 7, .burst = 0.01, .burstLength = 5}, 0);
   int run = 0, bursts = 0;
   for (int i = 0; i < 10'000; ++i) {

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 constexpr double kCycle = 0.001;  // s
 constexpr double kBound = 1000;   // N.s/m
 
-TEST(PassivityObserver, CountsWhatEachForceDidUntilTheNext) {
+TEST(PassivityObserver, CountsWhatEachForceDid) {
   PassivityObserver observer;
   observer.beginAt({1, 1, 1});
   observer.movedTo({2, 2, 2});

@@ -70,7 +70,7 @@ TEST(PositionPosition, GivesTheHandEnergyWithoutTheController) {
   }
 }
 
-TEST(PositionPosition, IsPassiveAtTheHandWithTheController) {
+TEST(PositionPosition, IsPassiveWithTheController) {
   double lowest = 0;
   for (const double stiffness : kStiffness) {
     for (const Wish wish : {reach, sway, rest}) {
@@ -98,7 +98,7 @@ TEST(PositionPosition, IsPassiveByItselfWithoutADelay) {
 }
 
 /// The controller takes energy out, not the feeling.
-TEST(PositionPosition, LetsTheHandFeelAWallThatTheSlavePushes) {
+TEST(PositionPosition, TheHandFeelsTheSlavesWall) {
   TwoArms arms(with(300, true), kDelay, kWall);
   for (int i = 0; i < 10'000; ++i) arms.cycle(reach(i * TwoArms::kCycle));
   // The springs of wall, coupling and hand stand in a row: 1/2000, 1/300 and 1/400 m/N.

@@ -39,7 +39,7 @@ TEST_F(FrameConnections, OverTlsAreTheFastest) {
   EXPECT_TRUE(eventually([&] { return teleop.seen.load(); }));
 }
 
-TEST_F(FrameConnections, AskedForOnAUnixSocketAreHad) {
+TEST_F(FrameConnections, AUnixSocketMayHaveThem) {
   begin(unixAddress());
   connect(Lane::Frame);
   EXPECT_EQ(channel()->lane, "frame");
@@ -57,7 +57,7 @@ TEST_F(FrameConnections, ServeAClientThatMayOnlyRead) {
   EXPECT_TRUE(eventually([&] { return teleop.seen.load(); }));
 }
 
-TEST_F(FrameConnections, RefuseWhatIsOutOfRangeAndNoNumber) {
+TEST_F(FrameConnections, RefuseWhatIsOutOfRange) {
   begin(unixAddress());
   connect(Lane::Frame);
   expectArgumentsJudged();

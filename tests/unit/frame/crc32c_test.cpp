@@ -31,7 +31,7 @@ std::uint32_t remainderOf(std::span<const std::byte> bytes) {
   return ~remainder;
 }
 
-TEST(Crc32c, IsTheSameAtEachPlaceAndOfEachSize) {
+TEST(Crc32c, DoesNotDependOnPlaceOrSize) {
   std::mt19937 random(1);
   std::vector<std::byte> bytes(300);
   for (std::byte& byte : bytes) byte = static_cast<std::byte>(random());

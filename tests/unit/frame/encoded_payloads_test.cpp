@@ -87,7 +87,7 @@ TEST(EncodedPayloads, MissingValuesAreDefaults) {
   EXPECT_EQ(payloads.open({Kind::Command, kDistanceCommand}, {}, Duration{0}).error, Errc::Invalid);
 }
 
-TEST(EncodedPayloads, AllocateOnlyForWhatIsLargerThanAllBefore) {
+TEST(EncodedPayloads, AllocateOnlyForALargerOne) {
   Goals goals;
   const auto packed = goals.pack(8);
   std::vector<std::byte> bytes(packed.begin(), packed.end());

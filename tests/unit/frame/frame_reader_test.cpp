@@ -115,7 +115,7 @@ TEST(FrameReader, FindsEveryBitThatIsWrong) {
   }
 }
 
-TEST(FrameReader, TakesNothingThatIsMissingDoubleOrOutOfOrder) {
+TEST(FrameReader, TakesNothingOutOfOrder) {
   const Bytes all = threeFrames();
   const auto cut = [&](std::size_t begin, std::size_t end) {
     return Bytes(all.begin() + static_cast<std::ptrdiff_t>(begin),

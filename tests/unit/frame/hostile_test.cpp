@@ -209,7 +209,7 @@ std::string refusedOf(const Header& header, std::uint32_t size) {
   return std::string(played.channel->lastInvalid.read().text());
 }
 
-TEST(HostileFrames, AnInvalidValueIsToldByItsPlace) {
+TEST(HostileFrames, AnInvalidValuesPlaceIsTold) {
   constexpr std::uint16_t kServoCp = 0, kArrived = 1;
   EXPECT_EQ(refusedOf<ProviderSide>(
                 {.kind = Kind::Command, .number = kServoCp, .connection = kConnection},

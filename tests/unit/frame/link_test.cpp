@@ -130,7 +130,7 @@ TEST_F(LinkTest, AConnectionThatEndsLeavesTheOthers) {
   EXPECT_FALSE(near->broken() || far->broken() || stays.client->broken());
 }
 
-TEST_F(LinkTest, ProviderIsSilentUntilItsClientIsThere) {
+TEST_F(LinkTest, ProviderIsSilentUntilItsClientSpeaks) {
   pairs.push_back(std::make_unique<Pair>(1));
   Pair& pair = *pairs.back();
   far->join(pair.provider);
@@ -142,7 +142,7 @@ TEST_F(LinkTest, ProviderIsSilentUntilItsClientIsThere) {
 }
 
 // A client that joins is given the last value of a latched event, which comes no second time.
-TEST_F(LinkTest, ALateSubscriberIsToldOfAsJoining) {
+TEST_F(LinkTest, ALateSubscriberJoins) {
   constexpr EventSet kEvent = EventSet{1} << kStopped;
   Pair& pair = add(1);
   exchange();

@@ -85,7 +85,7 @@ class Unequal {
   JoinedLinks links_;
 };
 
-TEST(OtherQueues, AShorterOneRefusesWhatItHasNoRoomFor) {
+TEST(OtherQueues, AShorterOneRefusesTheRest) {
   Unequal ends({.depth = 9}, {.depth = 2});
   for (int i = 0; i < 9; ++i) ASSERT_TRUE(ends.hold()) << i;
   ASSERT_FALSE(ends.broken());
@@ -95,7 +95,7 @@ TEST(OtherQueues, AShorterOneRefusesWhatItHasNoRoomFor) {
   EXPECT_EQ(ends.near->commands.waiting(kQueued), 0u) << "all credits are back";
 }
 
-TEST(OtherQueues, ACallThatAShorterOneHasNoRoomForIsAnswered) {
+TEST(OtherQueues, AShorterOneAnswersTheRest) {
   Unequal ends({.depth = 3}, {.depth = 1});
   ASSERT_TRUE(ends.hold(1));
   ASSERT_TRUE(ends.hold(2));
@@ -105,7 +105,7 @@ TEST(OtherQueues, ACallThatAShorterOneHasNoRoomForIsAnswered) {
   EXPECT_EQ(reply->error, Errc::Full);
 }
 
-TEST(OtherQueues, ALongerOneTakesWhatAShorterOneSends) {
+TEST(OtherQueues, ALongerOneTakesEverything) {
   Unequal ends({.depth = 2}, {.depth = 9});
   for (int lap = 0; lap < 5; ++lap) {
     ASSERT_TRUE(ends.hold() && ends.hold());
@@ -114,7 +114,7 @@ TEST(OtherQueues, ALongerOneTakesWhatAShorterOneSends) {
   }
 }
 
-TEST(OtherQueues, TheNewestOfTheClientWaitsInTheProvidersQueue) {
+TEST(OtherQueues, TheClientsNewestWaitsAtTheProvider) {
   Unequal ends({.latest = true}, {.depth = 2});
   for (int lap = 0; lap < 5; ++lap) {
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(ends.hold());
@@ -123,7 +123,7 @@ TEST(OtherQueues, TheNewestOfTheClientWaitsInTheProvidersQueue) {
   }
 }
 
-TEST(OtherQueues, TheNewestOfTheProviderReplacesTheClientsQueue) {
+TEST(OtherQueues, TheProvidersNewestReplacesTheClients) {
   Unequal ends({.depth = 4}, {.latest = true});
   for (int lap = 0; lap < 5; ++lap) {
     for (int i = 0; i < 4; ++i) ASSERT_TRUE(ends.hold()) << lap;
@@ -133,7 +133,7 @@ TEST(OtherQueues, TheNewestOfTheProviderReplacesTheClientsQueue) {
 }
 
 // The commands before it use no credit, and bring none.
-TEST(OtherQueues, ACallOfANewestWinsCommandKeepsItsCreditUntilItIsTaken) {
+TEST(OtherQueues, ANewestWinsCallKeepsItsCredit) {
   for (const bool latest : {false, true}) {
     Unequal ends({.depth = 1, .latest = true}, {.depth = 4, .latest = latest});
     ASSERT_TRUE(ends.hold());

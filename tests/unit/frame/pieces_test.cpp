@@ -47,7 +47,7 @@ TEST(Pieces, AreJoined) {
   }
 }
 
-TEST(Pieces, APayloadWithoutThemStaysWhereItIs) {
+TEST(Pieces, AWholePayloadStaysInPlace) {
   Pieces pieces(kLimit, kLimit);
   Surplus surplus;
   std::vector<std::byte> small(10);
@@ -57,7 +57,7 @@ TEST(Pieces, APayloadWithoutThemStaysWhereItIs) {
   EXPECT_EQ(payload.size(), small.size());
 }
 
-TEST(Pieces, AllocateOnlyForWhatIsLargerThanAllBefore) {
+TEST(Pieces, AllocateOnlyForALargerOne) {
   const Value value;
   Pieces pieces(kLimit, kLimit);
   Surplus surplus;
@@ -120,7 +120,7 @@ TEST(Pieces, KindsDoNotMix) {
   EXPECT_FALSE(pieces.complete({.kind = Kind::Row}, payload, surplus));
 }
 
-TEST(Pieces, AnEndOfAnotherSizeIsNotTheirs) {
+TEST(Pieces, AnEndOfAnotherSizeIsForeign) {
   const Value value;
   for (const std::size_t size : {std::size_t{0}, std::size_t{999}, std::size_t{1001}}) {
     Pieces pieces(kLimit, kLimit);
@@ -134,7 +134,7 @@ TEST(Pieces, AnEndOfAnotherSizeIsNotTheirs) {
 }
 
 // A connection has memory for what its contract has here; the rest is bounded for all of a link.
-TEST(Pieces, MayTakeSoMuchMoreThanTheirContractSays) {
+TEST(Pieces, MayExceedTheContractsSizeALittle) {
   const Value value;
   Surplus surplus;
   Pieces pieces(kMostPayload, kLimit);

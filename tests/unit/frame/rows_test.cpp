@@ -123,7 +123,7 @@ TEST_F(Rows, HaveTheColumnsThatAreAskedFor) {
   EXPECT_EQ(arrived(), "10 - 12");
 }
 
-TEST_F(Rows, CloseUpWhereAColumnHasNoValue) {
+TEST_F(Rows, CloseUpWithoutAColumnsValue) {
   publish(10, 0b110);
   begin();
   goToTheEnd();
@@ -149,7 +149,7 @@ TEST_F(Rows, AreOfOneMoment) {
   EXPECT_EQ(copy.row().sequence, 1u);
 }
 
-TEST_F(Rows, AnOverwrittenRowGivesWayToTheNewest) {
+TEST_F(Rows, ANewestRowReplacesAnOverwrittenOne) {
   publish(10);
   begin();
   EXPECT_FALSE(copy.go());
@@ -175,7 +175,7 @@ TEST_F(Rows, AreStoredAsTheyCome) {
 }
 
 // A stamp becomes the reader's when it is there whole, and what was stored of it before is not.
-TEST_F(Rows, ForeignStampsAreShiftedWhenTheRowIsWhole) {
+TEST_F(Rows, ForeignStampsAreShiftedInWholeRows) {
   // The second is of a peer whose clock was found to differ while the row came.
   for (const Duration ofParts : {Duration{99}, Duration{0}}) {
     const auto row = sendInParts(10, ofParts, Duration{99});
@@ -324,7 +324,7 @@ TEST_F(LargeRows, PiecesOfAnySizeMakeARow) {
   }
 }
 
-TEST_F(LargeRows, ForeignStampsAreShiftedWhenTheRowIsWhole) {
+TEST_F(LargeRows, ForeignStampsAreShiftedInWholeRows) {
   publish(10, 2 * kMostPayload);
   send();
   const auto row = arrive(Duration{99});
@@ -333,7 +333,7 @@ TEST_F(LargeRows, ForeignStampsAreShiftedWhenTheRowIsWhole) {
   expectArrived(*row, 10, 2 * kMostPayload, 99);
 }
 
-TEST_F(LargeRows, ARowWithAWrongEndIsRefused) {
+TEST_F(LargeRows, AWrongEndIsRefused) {
   publish(10, 120);
   const std::size_t size = send();
   const std::vector<std::uint64_t> all = words;

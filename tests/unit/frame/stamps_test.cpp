@@ -45,7 +45,7 @@ TEST_P(FrameStamps, CommandStampsAreOfTheProvidersClock) {
   EXPECT_EQ(record->stamp, sent - 5s);
 }
 
-TEST_P(FrameStamps, EventAndRowStampsAreOfTheClientsClock) {
+TEST_P(FrameStamps, StampsAreOfTheClientsClock) {
   StampedEnds ends(GetParam());
   ends.near->state->ask(0);
   ends.links.exchange();

@@ -65,7 +65,7 @@ class Growing {
   Link link{rpc::ByteStream(kj::mv(sockets_.ours)), 1};
 };
 
-TEST(Surplus, IsBoundedForAllConnectionsOfALink) {
+TEST(Surplus, IsBoundedForTheWholeLink) {
   const int room = Growing().room();
   EXPECT_GE(room, static_cast<int>(Surplus::kMost / kMostPayload));
   EXPECT_LT(room, static_cast<int>(Surplus::kMost / kMostPayload) + 10);

@@ -65,7 +65,7 @@ TEST(Window, FramesTheOtherWayAcknowledge) {
   }
 }
 
-TEST(Window, BelievesNoAcknowledgementOfWhatWasNotSent) {
+TEST(Window, BelievesNoAcknowledgementOfTheUnsent) {
   Window window;
   EXPECT_FALSE(window.takes({.acknowledged = 1, .kind = Kind::Event}));
 }

@@ -95,7 +95,7 @@ TEST_F(Fixtures, TheTargetIsNotPassed) {
   EXPECT_LE(fixtures_.distanceToTarget(knot_), 1e-4) << "it does not get there";
 }
 
-TEST_F(Fixtures, AHandAsideKeepsTheKnotInTheCorridor) {
+TEST_F(Fixtures, AHandAsideKeepsTheKnotInside) {
   place(0.01, Vector3d::Zero());
   const double width = model().radius + model().slope * 0.01;
   carry({1e-4, 1e-4, 0}, 1000);
@@ -144,7 +144,7 @@ TEST_F(Fixtures, AKnotOutsideOnlyComesBack) {
   EXPECT_NEAR(outOfCorridor(), before - 0.01, 1e-6);
 }
 
-TEST_F(Fixtures, TwoTipsThatMeetStopBeforeEachOther) {
+TEST_F(Fixtures, TwoMeetingTipsStop) {
   place(0.02, Vector3d::Zero());
   for (int i = 0; i < 3000; ++i) move({{1e-4, 0, 0}, {-1e-4, 0, 0}});
   EXPECT_NEAR((tips_.left - tips_.right).norm(), model().separation, 1e-6);
@@ -233,7 +233,7 @@ double steepest(double holding, double left, double right) {
   return most;
 }
 
-TEST(SlidingCone, BoundsTheRatioOfTheTensionsBesideTheKnot) {
+TEST(SlidingCone, BoundsTheRatioOfTheTensions) {
   constexpr double kHolding = 2, kNone = std::numeric_limits<double>::infinity();
   for (const double sign : {1.0, -1.0}) {
     EXPECT_GT(steepest(kNone, sign, -sign), 3);

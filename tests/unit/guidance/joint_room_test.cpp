@@ -46,7 +46,7 @@ class Room : public testing::Test {
   std::uniform_real_distribution<double> uniform_{-1, 1};
 };
 
-TEST_F(Room, EndsWhereTheLimitsOfTheJointsAre) {
+TEST_F(Room, EndsAtTheJointLimits) {
   constexpr double kLeft = 0.02;  // rad or m: what a joint may go after the step
   for (int i = 0; i < 1000; ++i) {
     const TipJoints q = anywhere();
@@ -72,7 +72,7 @@ TEST_F(Room, EndsWhereTheLimitsOfTheJointsAre) {
   }
 }
 
-TEST_F(Room, TurnsTheToolAsFarAsTheFirstJointGoes) {
+TEST_F(Room, TheFirstJointTurnsTheTool) {
   for (int i = 0; i < 1000; ++i) {
     const TipJoints q = anywhere();
     stand(q);
@@ -93,7 +93,7 @@ TEST_F(Room, TurnsTheToolAsFarAsTheFirstJointGoes) {
   }
 }
 
-TEST_F(Room, TurnsTheToolNoFasterThanAJoint) {
+TEST_F(Room, TurnsTheToolAtAJointsRate) {
   stand(anywhere());
   const TipAhead ahead{Vector3d::Zero(), {0, 0, 2e-3}, {0, 0, 2e-3}};
   const auto share = [&](double rate) {
@@ -105,7 +105,7 @@ TEST_F(Room, TurnsTheToolNoFasterThanAJoint) {
   EXPECT_NEAR(share(0.05), share(0.1) / 2, 1e-9);
 }
 
-TEST_F(Room, LetsAJointComeBackFromBeyondItsLimit) {
+TEST_F(Room, LetsAJointReturnFromBeyond) {
   const TipJoints q = anywhere();
   stand(q);
   const TipAhead ahead{Vector3d::Zero(), {0, 0, 2e-3}, {0, 0, 2e-3}};
@@ -120,7 +120,7 @@ TEST_F(Room, LetsAJointComeBackFromBeyondItsLimit) {
   }
 }
 
-TEST_F(Room, OfAFastJointIsWhatTurningTheToolLeaves) {
+TEST_F(Room, AFastJointGetsTheRest) {
   stand(anywhere());
   const JointBounds bounds{TipJoints::Constant(-10), TipJoints::Constant(10),
                            TipJoints::Constant(2)};
@@ -149,7 +149,7 @@ TEST(JointBounds, AreInfiniteWhereAnArmSaysNone) {
   EXPECT_EQ(bounds->rate[5], 2);
 }
 
-TEST(JointBounds, AreNoneOfAnArmWithSevenJoints) {
+TEST(JointBounds, ASevenJointArmHasNone) {
   JointConfiguration said;
   said.name.resize(7);
   EXPECT_FALSE(jointBounds(said));

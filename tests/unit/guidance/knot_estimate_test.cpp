@@ -48,7 +48,7 @@ TEST(KnotEstimate, NoiseComesToAThird) {
   EXPECT_LT(std::sqrt(squares / 2000), 0.0003 / 2.5);
 }
 
-TEST(KnotEstimate, ASightingThatIsTooOldIsNone) {
+TEST(KnotEstimate, ATooOldSightingIsNone) {
   KnotEstimate estimate(kAge, 1ms);
   const suture::Time now{1s};
   EXPECT_FALSE(estimate.knot(now));
@@ -62,7 +62,7 @@ TEST(KnotEstimate, ASightingThatIsTooOldIsNone) {
   EXPECT_FALSE(estimate.knot(now));
 }
 
-TEST(KnotEstimate, AfterBlindnessCountsWhatIsSeenAndNotWhatWas) {
+TEST(KnotEstimate, AfterBlindnessCountsWhatIsSeen) {
   KnotEstimate estimate(kAge, 1ms);
   suture::Time now{1s};
   estimate.tipsAt(now, Vector3d::Zero());

@@ -54,7 +54,7 @@ TEST(QuadraticProgram, MeetsTheConditionsOfAMinimum) {
   }
 }
 
-TEST(QuadraticProgram, AgreesWithATrialOfEveryActiveSet) {
+TEST(QuadraticProgram, AgreesWithTrialsOfActiveSets) {
   Problems problems;
   Program program;
   for (int i = 0; i < 20; ++i) {

@@ -44,7 +44,7 @@ TEST(Hand, AnswersAForceAsItsEquationSays) {
 }
 
 // The hand is where the muscles want it at the frequency of crossover, to a hundredth.
-TEST(Hand, FollowsItsTargetWithoutDelayWhereOperatorsWork) {
+TEST(Hand, FollowsItsTargetWithoutDelay) {
   constexpr double kCrossover = 3, kPeriod = 0.001;
   Hand hand(withoutTremor());
   std::complex<double> target = 0, position = 0;
@@ -84,7 +84,7 @@ TEST(Hand, KeepsTheAccountOfEnergy) {
   }
 }
 
-TEST(Hand, ShakesAsItsTremorSaysWhileItHoldsNothing) {
+TEST(Hand, ShakesAsItsTremorSays) {
   const HandModel model;
   const Tremor tremor(model.tremor);
   Hand hand(model);

@@ -73,7 +73,7 @@ TEST(Tremor, TellsVelocityAndAccelerationOfItsOffset) {
   }
 }
 
-TEST(Tremor, IsTheSameForEqualSeedsAndAnotherForOthers) {
+TEST(Tremor, IsEqualForEqualSeedsOnly) {
   const Tremor one({.seed = 1}), same({.seed = 1}), other({.seed = 2});
   EXPECT_EQ(one.at(1.5).offset, same.at(1.5).offset);
   EXPECT_GT((one.at(1.5).offset - other.at(1.5).offset).norm(), 1e-6);

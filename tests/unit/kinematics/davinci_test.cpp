@@ -31,7 +31,7 @@ TEST(DaVinci, RightMtmAgreesWithKdl) { expectSameAsKdl(mtmRight(), kdlMtm()); }
 
 // The roll frame is 0.4162 m beyond a carriage that starts 0.4318 m behind, so the wrist reaches
 // the remote centre when the insertion makes up the difference.
-TEST(DaVinci, PsmWristMeetsTheRemoteCentreAtItsInsertion) {
+TEST(DaVinci, PsmWristMeetsTheRemoteCentre) {
   const double wristAtCentre = 0.4318 - 0.4162;
   Chain<6>::Joints q = Chain<6>::Joints::Zero();
   q[2] = wristAtCentre;

@@ -52,7 +52,7 @@ TEST(Inverse, NeedsNoIterationAtTheGoal) {
   EXPECT_EQ(solution.q, q);
 }
 
-TEST(Inverse, ReportsAPoseOutOfReachAndStaysWithinLimits) {
+TEST(Inverse, ReportsAPoseOutOfReach) {
   const auto chain = psm();
   const Chain<6>::Joints start = Chain<6>::Joints::Constant(0.1);
   Eigen::Isometry3d goal = chain.forward(start);
@@ -66,7 +66,7 @@ TEST(Inverse, ReportsAPoseOutOfReachAndStaysWithinLimits) {
 
 // Deeper than the insertion limit along the shaft, all other joints free: the only obstacle is the
 // limit.
-TEST(Inverse, ReportsAPoseThatOnlyALimitForbids) {
+TEST(Inverse, ReportsAPoseBeyondALimit) {
   const auto chain = psm();
   Chain<6>::Joints beyond = Chain<6>::Joints::Zero();
   beyond[2] = chain.upper()[2] + 0.005;
@@ -86,7 +86,7 @@ double distance(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
 }
 
 // One joint would have to leave its limits for these goals.
-TEST(Inverse, LeavesThePsmNearestToAForbiddenGoal) {
+TEST(Inverse, LeavesThePsmNearestToItsGoal) {
   constexpr int N = 6;
   const auto chain = psm();
   std::mt19937 random(3);
@@ -132,7 +132,7 @@ TEST(Inverse, StopsAfterTheIterationsItIsGiven) {
   EXPECT_LT(solution.position_error, 0.05);
 }
 
-TEST(Inverse, RefusesAGoalThatIsNotANumber) {
+TEST(Inverse, RefusesANonNumericGoal) {
   const auto chain = psm();
   Eigen::Isometry3d goal = Eigen::Isometry3d::Identity();
   goal.translation().x() = std::numeric_limits<double>::quiet_NaN();

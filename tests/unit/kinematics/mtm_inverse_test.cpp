@@ -13,10 +13,10 @@ using Mtm = Chain<7>::Joints;
 
 constexpr int kPlatform = 3, kWristPitch = 4, kWristYaw = 5, kMtmRoll = 6;
 
-TEST(MtmInverse, ReachesAllThatTheLimitsOfTheLeftOneAdmit) {
+TEST(MtmInverse, ReachesAllOfTheLeftMaster) {
   expectReachesAll<7>(mtmLeft(), kdlMtm(), mtmInverse, 100'000);
 }
-TEST(MtmInverse, ReachesAllThatTheLimitsOfTheRightOneAdmit) {
+TEST(MtmInverse, ReachesAllOfTheRightMaster) {
   expectReachesAll<7>(mtmRight(), kdlMtm(), mtmInverse, 20'000);
 }
 TEST(MtmInverse, StaysNearItsStart) {
@@ -24,9 +24,7 @@ TEST(MtmInverse, StaysNearItsStart) {
   expectStaysNear<7>(mtmRight(), mtmInverse);
 }
 TEST(MtmInverse, ReachesTheLimits) { expectReachesAllCorners<7>(mtmLeft(), mtmInverse); }
-TEST(MtmInverse, IsNearestToAGoalThatALimitForbids) {
-  expectNearestWithinLimits<7>(mtmLeft(), mtmInverse);
-}
+TEST(MtmInverse, IsNearestToAForbiddenGoal) { expectNearestWithinLimits<7>(mtmLeft(), mtmInverse); }
 TEST(MtmInverse, RefusesWhatIsNotFinite) { expectRefusesWhatIsNotFinite<7>(mtmLeft(), mtmInverse); }
 TEST(MtmInverse, ReachesARoundedRotation) {
   expectReachesARoundedRotation<7>(mtmLeft(), mtmInverse);
@@ -83,7 +81,7 @@ TEST(MtmInverse, LeavesThePlatformWhereItsLimitIs) {
   }
 }
 
-TEST(MtmInverse, TakesTheTurnOfTheRollNearestToItsStart) {
+TEST(MtmInverse, TakesTheNearestTurnOfTheRoll) {
   const auto chain = mtmLeft();
   Mtm q = mtmHome();
   for (const double roll : {-8.3, -5.0, 0.0, 3.5, 7.8}) {
@@ -112,7 +110,7 @@ TEST(MtmInverse, ReachesWithAnyPlatformAngle) {
   }
 }
 
-TEST(MtmInverse, TellsWhatIsOutOfReachFromWhatLimitsForbid) {
+TEST(MtmInverse, TellsOutOfReachFromLimits) {
   const auto chain = mtmLeft();
   const Mtm start = mtmHome();
   Eigen::Isometry3d goal = chain.forward(start);

@@ -19,9 +19,7 @@ TEST(PsmInverse, ReachesAllThatTheLimitsAdmit) {
 }
 TEST(PsmInverse, StaysNearItsStart) { expectStaysNear<6>(psm(), psmInverse); }
 TEST(PsmInverse, ReachesTheLimits) { expectReachesAllCorners<6>(psm(), psmInverse); }
-TEST(PsmInverse, IsNearestToAGoalThatALimitForbids) {
-  expectNearestWithinLimits<6>(psm(), psmInverse);
-}
+TEST(PsmInverse, IsNearestToAForbiddenGoal) { expectNearestWithinLimits<6>(psm(), psmInverse); }
 TEST(PsmInverse, RefusesWhatIsNotFinite) { expectRefusesWhatIsNotFinite<6>(psm(), psmInverse); }
 TEST(PsmInverse, ReachesARoundedRotation) { expectReachesARoundedRotation<6>(psm(), psmInverse); }
 
@@ -44,7 +42,7 @@ TEST(PsmInverse, FindsItsOwnJointsAgain) {
 }
 
 // The goal is beyond the limit of the roll, and the other turn would reach it.
-TEST(PsmInverse, SlidesInAStreamWhereAnotherTurnReachesTheGoal) {
+TEST(PsmInverse, SlidesWhereAnotherTurnReaches) {
   const auto chain = psm();
   Psm q = Psm::Constant(0.1);
   q[3] = chain.upper()[3] + 0.01;
@@ -58,7 +56,7 @@ TEST(PsmInverse, SlidesInAStreamWhereAnotherTurnReachesTheGoal) {
   EXPECT_LT((nearest.q - start).cwiseAbs().maxCoeff(), 0.02);
 }
 
-TEST(PsmInverse, TakesTheTurnOfTheRollNearestToItsStart) {
+TEST(PsmInverse, TakesTheNearestTurnOfTheRoll) {
   const auto chain = psm();
   Psm q = Psm::Constant(0.1);
   for (const double roll : {-4.4, -2.0, 2.0, 4.4}) {
@@ -92,7 +90,7 @@ double insertionWithYawAxisThroughCentre(double wristPitch) {
   return kInCentre - kPsmWrist / std::cos(wristPitch);
 }
 
-TEST(PsmInverse, KeepsTheWristPitchAtTheRemoteCentre) {
+TEST(PsmInverse, KeepsTheWristAtTheRemoteCentre) {
   const auto chain = psm();
   std::mt19937 random(23);
   for (int sample = 0; sample < 10'000; ++sample) {
@@ -125,7 +123,7 @@ TEST(PsmInverse, IsExactBesideItsSingularPoses) {
   }
 }
 
-TEST(PsmInverse, SaysThatOnlyLimitsForbidWhatLiesFarAway) {
+TEST(PsmInverse, SaysThatLimitsForbidTheFarAway) {
   const auto chain = psm();
   const Psm start = Psm::Constant(0.1);
   for (const Eigen::Vector3d& way : {Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(0, 1, 1)}) {

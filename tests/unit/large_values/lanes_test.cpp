@@ -68,7 +68,7 @@ TEST_P(LargeValuesBy, AreSentAnsweredReadAndHeard) {
 }
 
 // Nothing is seen of what an earlier, larger value has left behind.
-TEST_P(LargeValuesBy, AreOfAnySizeFromOneToTheNext) {
+TEST_P(LargeValuesBy, HaveAnySizeFromOneToNext) {
   for (const std::size_t size : {kPixels, std::size_t{120}, kPixels / 2, std::size_t{0}, kPixels}) {
     Picture picture{std::vector<std::uint8_t>(size, 80)};
     if (size > 0) picture.pixels.back() = 81;
@@ -90,7 +90,7 @@ using SmallValuesBy = LargeValuesBy;
 INSTANTIATE_TEST_SUITE_P(EachWire, SmallValuesBy, testing::Values(Lane::Frame, kEncoded, Lane::Rpc),
                          nameOf);
 
-TEST_P(SmallValuesBy, TakeLittleThoughThereIsRoomForMore) {
+TEST_P(SmallValuesBy, TakeLittleOfALargeRoom) {
   const Picture picture{std::vector<std::uint8_t>(120, 8)};
   const auto channel = town_.channels().at(0);
   const auto sent = [&] { return channel->bytesSent.load(); };

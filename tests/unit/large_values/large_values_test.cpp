@@ -73,7 +73,7 @@ class LargeValues : public testing::Test {
   suture::Manager manager_{"museum"};
 };
 
-TEST_F(LargeValues, AreReadInAThreadWithASmallStack) {
+TEST_F(LargeValues, AreReadOnASmallStack) {
   for (Visitor* const visitor : {&ofDevice_, &ofTask_}) {
     withSmallStack([&] {
       Picture picture;
@@ -88,7 +88,7 @@ TEST_F(LargeValues, AreReadInAThreadWithASmallStack) {
   }
 }
 
-TEST_F(LargeValues, AreSentAndAnsweredInAThreadWithASmallStack) {
+TEST_F(LargeValues, AreSentOnASmallStack) {
   for (Visitor* const visitor : {&ofDevice_, &ofTask_}) {
     withSmallStack([&] {
       EXPECT_TRUE(visitor->gallery.hang.start(grey(5)).within(suture::kPatience).has_value());
@@ -103,7 +103,7 @@ TEST_F(LargeValues, AreSentAndAnsweredInAThreadWithASmallStack) {
   }
 }
 
-TEST_F(LargeValues, AreEmittedInAThreadWithASmallStack) {
+TEST_F(LargeValues, AreEmittedOnASmallStack) {
   withSmallStack([&] { EXPECT_TRUE(device_.gallery.emit().hung(grey(7)).has_value()); });
   EXPECT_TRUE(eventually([&] {
     ofDevice_.processEvents();
@@ -115,7 +115,7 @@ TEST_F(LargeValues, AreEmittedInAThreadWithASmallStack) {
 // that made one of 64 pairs of images gave no answers for seconds.
 TEST_F(LargeValues, AreKeptInFewRows) { EXPECT_EQ(task_.gallery.state()->capacity(), 4u); }
 
-TEST_F(LargeValues, AreAnsweredToFewCallsAtATime) {
+TEST_F(LargeValues, AreAnsweredToFewCallsTogether) {
   auto& newest = ofTask_.gallery.newest;
   const unsigned limit = suture::callLimitOf(suture::interfaceInfo<Gallery>()).calls;
   EXPECT_EQ(limit, 2u);
@@ -200,14 +200,14 @@ TEST(LargeAnswers, APlainClientsCallsAreBounded) {
   manager.stop();
 }
 
-TEST_F(LargeValues, AreEmittedByATaskWithoutAnAllocation) {
+TEST_F(LargeValues, ATaskEmitsThemWithoutAllocation) {
   if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
   EXPECT_TRUE(eventually([&] { return task_.emittedOnce.load(std::memory_order_acquire); }));
   EXPECT_EQ(task_.firstEmission, 0u);
 }
 
 /// Its thread is the one that triggers it, and is known at the first cycle.
-TEST(LargeValuesOfACallbackTask, AreEmittedWithoutAnAllocationInItsCycle) {
+TEST(LargeValuesOfACallbackTask, TheCycleEmitsThemWithoutAllocation) {
   if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
   struct Driven final : suture::CallbackTask, Wall {
     ~Driven() override { stop(); }
@@ -228,7 +228,7 @@ TEST(LargeValuesOfACallbackTask, AreEmittedWithoutAnAllocationInItsCycle) {
   manager.stop();
 }
 
-TEST_F(LargeValues, AreReadWithoutAnAllocationOnceThereIsMemory) {
+TEST_F(LargeValues, ReadingAllocatesOnlyAtFirst) {
   if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
   Picture picture;
   ASSERT_TRUE(eventually([&] { return ofTask_.gallery.newest(picture).hasValue(); }));
@@ -238,7 +238,7 @@ TEST_F(LargeValues, AreReadWithoutAnAllocationOnceThereIsMemory) {
 }
 
 /// A small value that is handled first must not take the block that the large one within needs.
-TEST(ScratchMemory, IsTheSmallestBlockThatIsLargeEnough) {
+TEST(ScratchMemory, IsTheSmallestSufficientBlock) {
   if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
   std::uint64_t taken = 1;
   std::thread thread([&] {

@@ -106,7 +106,7 @@ class MessagesBy : public testing::TestWithParam<Lane> {
   std::vector<std::shared_ptr<suture::Channel>> channels_;
 };
 
-TEST_P(MessagesBy, ACommandThatIsTooLargeIsNotSent) {
+TEST_P(MessagesBy, ATooLargeCommandIsNotSent) {
   auto& paint = viewer_.canvas.paint;
   for (int lap = 0; lap < 3; ++lap) {
     ASSERT_EQ(outcomeOf(paint.start(dotted(kTooMany)).within(suture::kPatience)), Errc::TooLarge);
@@ -124,7 +124,7 @@ TEST_P(MessagesBy, ACommandThatIsTooLargeIsNotSent) {
 }
 
 // The peer counts what frames a message, and the references that it follows to read one.
-TEST_P(MessagesBy, NearTheLimitAMessageArrivesOrIsTooLarge) {
+TEST_P(MessagesBy, NearlyTooLargeMessagesArriveOrFail) {
   const auto isToldOf = [](Errc outcome) { return outcome == Errc{} || outcome == Errc::TooLarge; };
   std::vector<Errc> painted, copied;
   for (std::uint32_t dots = kLimit - 26; dots < kLimit; dots += 2) {
@@ -140,13 +140,13 @@ TEST_P(MessagesBy, NearTheLimitAMessageArrivesOrIsTooLarge) {
   }
 }
 
-TEST_P(MessagesBy, AnAnswerThatIsTooLargeIsMissing) {
+TEST_P(MessagesBy, ATooLargeAnswerIsMissing) {
   auto& copy = viewer_.canvas.copy;
   ASSERT_EQ(outcomeOf(copy.start(kTooMany).within(suture::kPatience)), Errc::TooLarge);
   ASSERT_EQ(outcomeOf(copy.start(kFew).within(suture::kPatience)), Errc{});
 }
 
-TEST_P(MessagesBy, AnEventThatIsTooLargeIsDropped) {
+TEST_P(MessagesBy, ATooLargeEventIsDropped) {
   for (const std::uint32_t dots : {kTooMany, kFew}) {
     ASSERT_EQ(outcomeOf(viewer_.canvas.resize.start(dots).within(suture::kPatience)), Errc{});
   }
@@ -158,7 +158,7 @@ TEST_P(MessagesBy, AnEventThatIsTooLargeIsDropped) {
   ASSERT_TRUE(eventually([&] { return channels_.at(0)->counts->told.load().eventsDropped == 1; }));
 }
 
-TEST_P(MessagesBy, ARowThatIsTooLargeHasNoValue) {
+TEST_P(MessagesBy, ATooLargeRowHasNoValue) {
   auto& painting = viewer_.canvas.painting;
   const auto sizeBecomes = [&](std::size_t size) {
     return eventually([&] {

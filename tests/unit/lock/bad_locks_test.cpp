@@ -44,7 +44,7 @@ TEST(DeepLock, IsRefusedBeforeTheStackEnds) {
   EXPECT_NE(found[0].message.find("nested too deeply"), std::string::npos);
 }
 
-TEST(DeepLock, AValueIsRefusedBeforeTheStackEnds) {
+TEST(DeepLock, ADeepValueIsRefused) {
   Diagnostics found;
   const std::string deep(400'000, '[');
   read({{"a.capnp",

@@ -63,7 +63,7 @@ TEST_F(BreakTest, AnotherTypeHasItsOwnDefault) {
   EXPECT_EQ(text.find(":Text = 0.75"), std::string::npos);
 }
 
-TEST_F(BreakTest, AMajorStaysAndNothingElseRaisesIt) {
+TEST_F(BreakTest, OnlyABreakRaisesTheMajor) {
   speed().unit = "mm/s";
   const Locks once = accept(before_);
   sample::armHeader(model_).structs[0].fields.push_back(sample::field("extra", sample::number()));
@@ -85,7 +85,7 @@ TEST_F(BreakTest, OtherContractsKeepTheirMajorVersion) {
 }
 
 // Its rows have the base's reads, so only what a command takes tells if the base is followed.
-TEST_F(BreakTest, ADerivedContractIsRaisedWithItsBase) {
+TEST_F(BreakTest, ABaseRaisesItsDerivedContract) {
   const model::Struct wish = sample::structure(
       "robots::Wish", {sample::field("speed", sample::scalar(model::Scalar::Float64))});
   model::Header& header = sample::armHeader(model_);

@@ -111,7 +111,7 @@ TEST_F(TwinHeadersTest, HeadersWithOnePrefixAreToldApart) {
   EXPECT_TRUE(slugs(locks_).empty());
 }
 
-TEST_F(TwinHeadersTest, TheHeaderThatIsInUseKeepsItsPrefix) {
+TEST_F(TwinHeadersTest, TheUsedHeaderKeepsItsPrefix) {
   const model::Header first = sample::armHeader(model_);
   model_.headers.erase(model_.headers.begin());
   model_ = settled(model_, locks_);
@@ -124,7 +124,7 @@ TEST_F(TwinHeadersTest, TheHeaderThatIsInUseKeepsItsPrefix) {
   EXPECT_EQ(composites(), (std::vector<std::string>{"Arm2OptionalFloat64", "ArmOptionalFloat64"}));
 }
 
-TEST_F(TwinHeadersTest, LocksThatShareANameAlreadyAreReported) {
+TEST_F(TwinHeadersTest, LocksThatShareANameAreReported) {
   model::Diagnostics none;
   EXPECT_EQ(slugs(read(update(sample::allOwn(model_), {}).files, none)),
             (std::vector<std::string>{"wire-name-clash"}));
@@ -135,7 +135,7 @@ TEST_F(CompositesTest, BoundsDoNotChangeAName) {
             name(of(Shape::Optional, {sample::text(4)})));
 }
 
-TEST_F(CompositesTest, AVariantMayGrowAnywhereAndKeepsItsNumbers) {
+TEST_F(CompositesTest, AGrowingVariantKeepsItsNumbers) {
   const model::Type number = sample::number(), flag = sample::scalar(Scalar::Bool);
   add(of(Shape::Optional, {of(Shape::Variant, {number, flag})}));
   const Locks old = locks();
@@ -226,7 +226,7 @@ TEST_F(CompositesTest, OneOfTwoSpellingsIsNoClash) {
   EXPECT_TRUE(update(model_, Locks{}).diagnostics.empty());
 }
 
-TEST_F(CompositesTest, AUserTypeOfTheSameNameIsAClash) {
+TEST_F(CompositesTest, AUserTypesSameNameClashes) {
   model::Struct clash = sample::structure("robots::RobotsArmOptionalFloat64", {});
   sample::armHeader(model_).structs.push_back(clash);
   Locks none;

@@ -120,7 +120,7 @@ TEST(Differences, SomethingRenamedWithoutWasIsGuessed) {
             "'y' of struct Pose is new; if it is 'x' under another name, say was(\"x\")");
 }
 
-TEST(Differences, ADefaultOfCppIsToldWithWhatStays) {
+TEST(Differences, ACppDefaultsDifferenceIsTold) {
   const std::string old = "struct Pose @0x8000000000000003 { x @0 :Float64 = 2; }";
   const std::string now =
       "struct Pose @0x8000000000000003 { x @0 :Float64 = 2 $Meta.default(\"3\"); }";
@@ -129,7 +129,7 @@ TEST(Differences, ADefaultOfCppIsToldWithWhatStays) {
                                      "does not have it, it still is 2"});
 }
 
-TEST(Differences, ARenamedTypeIsTheSameWhereItIsUsed) {
+TEST(Differences, ARenamedTypeStaysTheSame) {
   std::string now = kOldSchema;
   for (std::size_t at; (at = now.find("Pose")) != std::string::npos;) now.replace(at, 4, "Place");
   const auto found = differences(parse("old", std::string(kHead) + kOldSchema),

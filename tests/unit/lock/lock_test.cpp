@@ -28,7 +28,7 @@ TEST_F(LockTest, ForeignHeadersAreNotLockedHere) {
 }
 
 // The places of a base contract would else follow the order of its declarations.
-TEST_F(LockTest, AHeaderOfAnotherTargetNeedsItsLock) {
+TEST_F(LockTest, AnotherTargetsHeaderNeedsItsLock) {
   Locks without = before_;
   ASSERT_EQ(without.files.erase("robots/geometry.capnp"), 1u);
   const Diagnostics found = check(model_, without);
@@ -38,7 +38,7 @@ TEST_F(LockTest, AHeaderOfAnotherTargetNeedsItsLock) {
   EXPECT_EQ(slugs(update(model_, without).diagnostics), Slugs{});
 }
 
-TEST_F(LockTest, AHeaderOfAnotherTargetNeedsTheLocksOfWhatItUses) {
+TEST_F(LockTest, AnotherTargetsHeaderNeedsItsTypesLocks) {
   model::Header user;
   user.path = "lab/user.h";
   user.cxxNamespace = "lab";
@@ -85,7 +85,7 @@ TEST_F(LockTest, ReorderedFieldsChangeNothing) {
   EXPECT_TRUE(check(model_, before_).empty());
 }
 
-TEST_F(LockTest, NewFieldNeedsTheUpdateAndGoesLast) {
+TEST_F(LockTest, ANewFieldGoesLast) {
   auto& fields = everything().fields;
   fields.insert(fields.begin(), sample::field("extra", sample::number()));
   const Diagnostics found = check(model_, before_);
@@ -120,7 +120,7 @@ TEST_F(LockTest, RemovedFieldLeavesAPlaceholderForEver) {
   EXPECT_TRUE(check(model_, after).empty());
 }
 
-TEST_F(LockTest, APlaceholderGivesWayToAFieldOfItsName) {
+TEST_F(LockTest, APlaceholderGivesWayToItsField) {
   everything().fields.push_back(sample::field("removed3", sample::scalar(Scalar::Bool)));
   const Locks old = lockOf(model_, before_);
   everything().fields.erase(everything().fields.begin() + 3);  // speed
@@ -150,7 +150,7 @@ TEST_F(LockTest, RenameWithWasKeepsTheOrdinal) {
   EXPECT_TRUE(check(model_, after).empty()) << "a done rename may keep its was()";
 }
 
-TEST_F(LockTest, TypeChangeIsRefusedAndNamesTheLine) {
+TEST_F(LockTest, ATypeChangeNamesTheLine) {
   field("tiny").type = sample::scalar(Scalar::Int16);
   const Diagnostics found = check(model_, before_);
   ASSERT_EQ(slugs(found), Slugs{"lock-break"});
@@ -190,7 +190,7 @@ TEST_F(LockTest, SignaturesOnlyGrow) {
   EXPECT_EQ(slugs(check(model_, after)), Slugs{"lock-break"});
 }
 
-TEST_F(LockTest, PolicyMayChangeButTheLockIsToldStale) {
+TEST_F(LockTest, APolicyChangeMakesTheLockStale) {
   arm().commands[0].queue = 99;
   const Diagnostics found = check(model_, before_);
   ASSERT_EQ(slugs(found), Slugs{"lock-stale"});
@@ -198,7 +198,7 @@ TEST_F(LockTest, PolicyMayChangeButTheLockIsToldStale) {
   EXPECT_TRUE(check(model_, lockOf(model_, before_)).empty());
 }
 
-TEST_F(LockTest, ARangeHasToBeWrittenButIsNoBreak) {
+TEST_F(LockTest, ARangeIsWrittenWithoutABreak) {
   sample::armHeader(model_).structs[0].fields[3].range = {{-0.5, 3}};
   const Diagnostics found = check(model_, before_);
   ASSERT_EQ(slugs(found), Slugs{"lock-range"});
@@ -214,14 +214,14 @@ model::Interface& gripper(model::Model& model) {
   throw std::logic_error("the sample has a gripper");
 }
 
-TEST_F(LockTest, ACapacityHasToBeWrittenButIsNoBreak) {
+TEST_F(LockTest, ACapacityIsWrittenWithoutABreak) {
   field("label").type = sample::text(3);
   EXPECT_EQ(slugs(check(model_, before_)), Slugs{"lock-range"});
   EXPECT_TRUE(update(model_, before_).diagnostics.empty());
 }
 
 // Where the hashes are equal, slots are loaded as they are, and a set drops what is there twice.
-TEST_F(LockTest, ASetInPlaceOfAListHasToBeWrittenAndIsNoBreak) {
+TEST_F(LockTest, ListsMayBecomeSetsWithoutABreak) {
   const auto hash = [&] {
     return contractHashes(model_, upToDate(model_, before_)).at("robots::Arm");
   };
@@ -248,7 +248,7 @@ TEST_F(LockTest, AnotherVersionIsABreak) {
   EXPECT_EQ(slugs(update(model_, before_).diagnostics), Slugs{"lock-break"});
 }
 
-TEST_F(LockTest, ATypeKeepsItsIdUnderAnotherName) {
+TEST_F(LockTest, ARenamedTypeKeepsItsId) {
   auto& enums = sample::armHeader(model_).enums;
   enums.push_back(sample::enumerated("robots::Pace", {{"Slow", 0}, {"Fast", 1}}));
   const Locks before = lockOf(model_, before_);
@@ -263,7 +263,7 @@ TEST_F(LockTest, ATypeKeepsItsIdUnderAnotherName) {
   EXPECT_EQ(now.members[1].name, "quick");
 }
 
-TEST_F(LockTest, CommentsAreNotTheBusinessOfABuild) {
+TEST_F(LockTest, ABuildIgnoresComments) {
   arm().doc.text = "Another comment.";
   EXPECT_TRUE(check(model_, before_).empty());
   EXPECT_EQ(update(model_, before_).files.size(), 1u);
@@ -342,7 +342,7 @@ TEST_F(LockTest, NamesThatSuturecNeedsItself) {
   EXPECT_EQ(found, Slugs(4, "wire-name-clash"));
 }
 
-TEST_F(LockTest, NamesOfOtherHeadersInTheSameNamespaceCount) {
+TEST_F(LockTest, OtherHeadersNamesCountToo) {
   model_.headers.back().enums.push_back(
       sample::enumerated("robots::other::Everything", {{"One", 1}}));
   const Slugs found = slugs(check(model_, before_));

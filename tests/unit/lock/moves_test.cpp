@@ -70,7 +70,7 @@ const Lock& from(const Locks& locks) { return locks.files.at("n/from.capnp"); }
 const Lock& to(const Locks& locks) { return locks.files.at("n/to.capnp"); }
 const Lock& user(const Locks& locks) { return locks.files.at("n/user.capnp"); }
 
-TEST_F(MovesTest, ATypeKeepsItsIdAndItsNumbersInAnotherHeader) {
+TEST_F(MovesTest, AMovedTypeKeepsItsNumbers) {
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
   std::swap(part("n/to.h").fields[0], part("n/to.h").fields[1]);
@@ -85,7 +85,7 @@ TEST_F(MovesTest, ATypeKeepsItsIdAndItsNumbersInAnotherHeader) {
   EXPECT_TRUE(update(model_, after).files.empty());
 }
 
-TEST_F(MovesTest, ABuildAsksForAnUpdateOfEachLock) {
+TEST_F(MovesTest, ABuildAsksToUpdateEachLock) {
   header("n/to.h").structs = {sample::structure("n::Other", {sample::field("d", number_)})};
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
@@ -104,7 +104,7 @@ TEST_F(MovesTest, AnUpdateTellsWhatMoved) {
   EXPECT_EQ(update(model_, before).changes, expected);
 }
 
-TEST_F(MovesTest, ATypeMayHaveAnotherNameInTheOtherHeader) {
+TEST_F(MovesTest, AMovedTypeMayBeRenamed) {
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
   part("n/to.h").name = "n::Piece";
@@ -131,7 +131,7 @@ TEST_F(MovesTest, ATypeMayMoveThereAndBack) {
   EXPECT_EQ(to(after).departures.size(), 1u);
 }
 
-TEST_F(MovesTest, WhatATypeNamesIsSpelledFromItsNewHeader) {
+TEST_F(MovesTest, AMovedTypesNamesAreSpelledAnew) {
   part().fields.push_back(sample::field("rest", sample::record("n::Rest")));
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
@@ -140,7 +140,7 @@ TEST_F(MovesTest, WhatATypeNamesIsSpelledFromItsNewHeader) {
   EXPECT_EQ(nodeOf(to(after), "Part").members[2].type, "/n/from.capnp:Rest");
 }
 
-TEST_F(MovesTest, ACompositeThatNobodyElseUsesMovesToo) {
+TEST_F(MovesTest, AnUnsharedCompositeMovesToo) {
   part().fields.push_back(sample::field("maybe", optional(optional(number_))));
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
@@ -163,7 +163,7 @@ TEST_F(MovesTest, ACompositeThatStaysIsABreak) {
   EXPECT_NE(found[0].help.find("leave Part in its header"), std::string::npos) << found[0].help;
 }
 
-TEST_F(MovesTest, ACompositeThatTheNewHeaderHasAlreadyIsABreak) {
+TEST_F(MovesTest, AnExistingCompositeIsABreak) {
   part().fields.push_back(sample::field("maybe", optional(number_)));
   header("n/to.h").structs = {
       sample::structure("n::Other", {sample::field("maybe", optional(number_))})};
@@ -175,7 +175,7 @@ TEST_F(MovesTest, ACompositeThatTheNewHeaderHasAlreadyIsABreak) {
 }
 
 // A placeholder keeps its place on the wire, and no import of what may import it.
-TEST_F(MovesTest, WhatWasRemovedForgetsATypeThatMoves) {
+TEST_F(MovesTest, WhatWasRemovedForgetsAMovedType) {
   part().fields.push_back(sample::field("rest", sample::record("n::Rest")));
   const Locks before = lockOf(model_);
   part().fields.pop_back();
@@ -190,7 +190,7 @@ TEST_F(MovesTest, WhatWasRemovedForgetsATypeThatMoves) {
 }
 
 // The header that had it may not include the other one any more, whose type then moves unseen.
-TEST_F(MovesTest, WhatIsRemovedForgetsTheTypeOfAnotherHeaderAtOnce) {
+TEST_F(MovesTest, RemovingForgetsAnotherHeadersType) {
   const Locks before = lockOf(model_);
   auto& fields = part("n/user.h").fields;
   fields.clear();
@@ -200,7 +200,7 @@ TEST_F(MovesTest, WhatIsRemovedForgetsTheTypeOfAnotherHeaderAtOnce) {
   EXPECT_EQ(errors(after), Slugs{});
 }
 
-TEST_F(MovesTest, ACompositeOfATypeThatMovedMayComeBack) {
+TEST_F(MovesTest, AMovedTypesCompositeMayReturn) {
   auto& fields = part("n/user.h").fields;
   fields.push_back(sample::field("maybe", optional(sample::record("n::Part"))));
   const Locks before = lockOf(model_);
@@ -217,7 +217,7 @@ TEST_F(MovesTest, ACompositeOfATypeThatMovedMayComeBack) {
   EXPECT_EQ(errors(after), Slugs{});
 }
 
-TEST_F(MovesTest, ANewTypeOfTheNameOfOneInAnotherLockIsRemarked) {
+TEST_F(MovesTest, ANewTypesTakenNameIsRemarked) {
   Locks before = lockOf(model_);
   before.others.insert(before.files.extract("n/from.capnp"));
   before.files.erase("n/user.capnp");
@@ -231,7 +231,7 @@ TEST_F(MovesTest, ANewTypeOfTheNameOfOneInAnotherLockIsRemarked) {
 }
 
 // The other target gave the members other numbers, since it did not know of this lock.
-TEST_F(MovesTest, AnotherTargetMustHaveTakenTheTypeWithItsNumbers) {
+TEST_F(MovesTest, AnotherTargetMustKeepTheNumbers) {
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
   Locks between = before;
@@ -241,7 +241,7 @@ TEST_F(MovesTest, AnotherTargetMustHaveTakenTheTypeWithItsNumbers) {
   EXPECT_EQ(slugs(update(model_, between).diagnostics), Slugs{"lock-moved"});
 }
 
-TEST_F(MovesTest, AClashWithWhatAnEditRemovesAdvisesWas) {
+TEST_F(MovesTest, ClashingWithARemovedTypeAdvisesWas) {
   part("n/user.h").fields.clear();
   const Locks before = lockOf(model_);
   part().name = "n::inner::Part";
@@ -279,7 +279,7 @@ TEST_F(MovesTest, AContractMovesToo) {
   EXPECT_EQ(errors(after), Slugs{});
 }
 
-TEST_F(MovesTest, ATypeRenamedInItsHeaderIsFollowedByOthers) {
+TEST_F(MovesTest, OthersFollowARenamedType) {
   const Locks before = lockOf(model_);
   part().name = "n::Piece";
   part().wireName = "Piece";
@@ -292,7 +292,7 @@ TEST_F(MovesTest, ATypeRenamedInItsHeaderIsFollowedByOthers) {
   EXPECT_EQ(nodeOf(user(after), "Whole").members[0].type, "/n/from.capnp:Piece");
 }
 
-TEST_F(MovesTest, TheLockOfAnotherTargetMustHaveTheTypeFirst) {
+TEST_F(MovesTest, AnotherTargetTakesTheTypeFirst) {
   header("n/to.h").structs = {sample::structure("n::Other", {sample::field("d", number_)})};
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
@@ -306,7 +306,7 @@ TEST_F(MovesTest, TheLockOfAnotherTargetMustHaveTheTypeFirst) {
 }
 
 // The lock of the new header tells it, since nothing is left that would.
-TEST_F(MovesTest, AnotherTargetFollowsATypeWhoseHeaderIsGone) {
+TEST_F(MovesTest, AnotherTargetFollowsARemovedHeadersType) {
   const Locks before = lockOf(model_);
   Locks between = before;
   between.others.insert(between.files.extract("n/from.capnp"));
@@ -321,7 +321,7 @@ TEST_F(MovesTest, AnotherTargetFollowsATypeWhoseHeaderIsGone) {
   EXPECT_EQ(user(lockOf(model_, after)).text, expected);
 }
 
-TEST_F(MovesTest, ALockMayBeRenamedWithItsHeader) {
+TEST_F(MovesTest, ALockIsRenamedWithItsHeader) {
   part().fields.push_back(sample::field("maybe", optional(number_)));
   const Locks before = lockOf(model_);
   Locks renamed = before;
@@ -338,7 +338,7 @@ TEST_F(MovesTest, ALockMayBeRenamedWithItsHeader) {
   EXPECT_EQ(errors(after), Slugs{"lock-moved"});
 }
 
-TEST_F(MovesTest, ALockWaitsForAnotherTargetToLetGo) {
+TEST_F(MovesTest, ALockAwaitsAnotherTarget) {
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
   Locks between = before;
@@ -350,7 +350,7 @@ TEST_F(MovesTest, ALockWaitsForAnotherTargetToLetGo) {
   EXPECT_FALSE(update(model_, between).diagnostics.empty());
 }
 
-TEST_F(MovesTest, ATypeIsTakenFromTheLockOfAHeaderThatIsGoneByWasAlone) {
+TEST_F(MovesTest, OnlyWasTakesARemovedHeadersType) {
   part().fields.push_back(sample::field("maybe", optional(number_)));
   Locks before = lockOf(model_);
   before.others.insert(before.files.extract("n/from.capnp"));
@@ -369,7 +369,7 @@ TEST_F(MovesTest, ATypeIsTakenFromTheLockOfAHeaderThatIsGoneByWasAlone) {
   EXPECT_EQ(unknownNames(model_, after), std::vector<std::string>{});
 }
 
-TEST_F(MovesTest, AnEnumeratorThatIsTheDefaultMayMoveToTheFieldsHeader) {
+TEST_F(MovesTest, ADefaultEnumeratorMayMove) {
   header("n/from.h").enums = {sample::enumerated("n::Mode", {{"Off", 0}, {"On", 1}})};
   auto& fields = part("n/user.h").fields;
   for (const char* const value : {"Off", "On"}) {
@@ -386,7 +386,7 @@ TEST_F(MovesTest, AnEnumeratorThatIsTheDefaultMayMoveToTheFieldsHeader) {
   EXPECT_EQ(errors(after), Slugs{});
 }
 
-TEST_F(MovesTest, ALockFollowsATypeThatMovedBetweenOtherTargets) {
+TEST_F(MovesTest, ALockFollowsATypeBetweenTargets) {
   const Locks before = lockOf(model_);
   move("n/from.h", "n/to.h");
   Locks between = lockOf(model_, before);

@@ -56,7 +56,7 @@ TEST(ClockOffset, ASlowAnswerBeatsAnOldOne) {
 }
 
 // This happens when a machine was held up, or its clock is slewed faster than quartz drifts.
-TEST(ClockOffset, IsGivenUpForOneThatContradictsIt) {
+TEST(ClockOffset, AContradictedOneIsGivenUp) {
   ClockOffset clock;
   ask(clock, 100us, 0ms, 100us);
   const Time asked = kAsked + 1s, received = asked + 500us + 1h + 5ms;
@@ -73,7 +73,7 @@ TEST(ClockOffset, IsNoneWhereBothHaveOneClock) {
 }
 
 // It says that it took longer to answer than the whole question did, or less than no time.
-TEST(ClockOffset, APeerCannotMakeItBetterThanItIs) {
+TEST(ClockOffset, APeerCannotImproveIt) {
   for (const Duration lie : {Duration(1h), Duration(-1h)}) {
     ClockOffset clock;
     const Time received = kAsked + 1h;

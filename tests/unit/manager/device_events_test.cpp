@@ -17,7 +17,7 @@ struct LeavingListener final : Device {
   Required<reference::ArmLike> arm{*this, "Slave"};
 };
 
-TEST(DeviceEvents, EventsOfAnEndedConnectionAreNotHeard) {
+TEST(DeviceEvents, AnEndedConnectionsEventsAreUnheard) {
   PatientEmitter arm;
   LeavingListener listener;
   Manager manager("robot");

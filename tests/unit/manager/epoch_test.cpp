@@ -216,7 +216,7 @@ TEST_F(Epochs, OneThatComesTooLateIsRefused) {
 }
 
 // A process that was stopped for so long that its name went to another goes on with its session.
-TEST_F(Epochs, AnEarlierProcessOfTheNameTakesNothingBack) {
+TEST_F(Epochs, AnEarlierProcessTakesNothingBack) {
   Caller first(provider_, "a", 1);
   EXPECT_EQ(first.connect(5), "");
   {
@@ -285,7 +285,7 @@ TEST_F(Epochs, AnAcceptedConnectionReplacesTheSums) {
   EXPECT_NE(there_.channels().back()->terms.ledger, sums);
 }
 
-TEST_F(Epochs, WithoutAnEpochAConnectionEndsNoOther) {
+TEST_F(Epochs, WithoutOneNoOtherConnectionEnds) {
   Caller first(provider_, "a"), second(provider_, "a");
   EXPECT_EQ(first.connect(0), "");
   EXPECT_EQ(second.connect(0), "");

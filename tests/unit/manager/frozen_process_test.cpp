@@ -204,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Bool()),
     nameOf);
 
-TEST_P(FrozenProcess, ExecutesNothingOfAConnectionThatIsLost) {
+TEST_P(FrozenProcess, ExecutesNothingOfALostConnection) {
   connect();
   for (int round = 0; round < 5; ++round) {
     ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
@@ -225,7 +225,7 @@ TEST_P(FrozenProcess, ExecutesNothingOfAConnectionThatIsLost) {
 }
 
 // The same process, back, tells what became of the commands of the connection that was lost.
-TEST_P(FrozenProcess, KnowsInTheEndWhatBecameOfEachCommand) {
+TEST_P(FrozenProcess, LearnsWhatBecameOfEachCommand) {
   connect();
   for (int round = 0; round < 3; ++round) {
     ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
@@ -292,7 +292,7 @@ TEST_P(FrozenProcess, ExecutesNothingWhileItsOperatorIsAwaited) {
 
 // A client that stands still is gone for its provider when its lease has ended: while it still
 // stands.
-TEST_P(FrozenProcess, TellsTheProvidersComponentOfASilentClientOnce) {
+TEST_P(FrozenProcess, TellsOfASilentClientOnce) {
   connect();
   ASSERT_TRUE(eventually([this] { return arm_.clients == 1; }));
   freeze();

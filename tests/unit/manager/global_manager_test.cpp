@@ -147,7 +147,7 @@ class GlobalManagerTest : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Sockets, GlobalManagerTest, testing::Values(SOCKET),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(GlobalManagerTest, TellsWhereAProcessIsAndWhatItOffers) {
+TEST_P(GlobalManagerTest, TellsAProcesssAddressAndInterfaces) {
   auto left = enrolled("left"), right = enrolled("right");
   right->update({{"PSM",
                   {{"Arm", "robots::Arm", "abc", {"base", "tip"}}},
@@ -190,7 +190,7 @@ TEST_P(GlobalManagerTest, ATakenNameIsRefused) {
   EXPECT_TRUE(contains(error, "process 1 on")) << error;
 }
 
-TEST_P(GlobalManagerTest, AnUnknownProcessIsRefusedWithWhatThereIs) {
+TEST_P(GlobalManagerTest, RefusingAnUnknownProcessNamesTheKnown) {
   auto left = enrolled("left");
   const std::string error = refusal([&] { left->resolve("laft"); });
   EXPECT_TRUE(contains(error, "Did you mean 'left'?")) << error;
@@ -229,7 +229,7 @@ TEST_P(GlobalManagerTest, WaitersAreBounded) {
       [&] { return contains(refusal([&] { peer->resolve("nobody", 1ms); }), "has waited 1 ms"); }));
 }
 
-TEST_P(GlobalManagerTest, OneProcessThatWaitsTooOftenLeavesRoomToOthers) {
+TEST_P(GlobalManagerTest, ManyWaitsLeaveRoomToOthers) {
   auto greedy = enrolled("greedy");
   greedy->wait(NameService::kMostWaitingOfALink);
   const std::string answer = refusal([&] { greedy->resolve("nobody", 60s); });
@@ -251,7 +251,7 @@ TEST_P(GlobalManagerTest, ResolvesNoNameThatIsTooLong) {
                "find a process by a name of 1048576 bytes: a name has 1 to 100 characters"));
 }
 
-TEST_P(GlobalManagerTest, AManagerThatComesBackRelearnsItsProcesses) {
+TEST_P(GlobalManagerTest, ARestartedManagerRelearnsItsProcesses) {
   auto left = enrolled("left"), right = enrolled("right");
   manager_.reset();
   ASSERT_TRUE(eventually([&] {
@@ -291,13 +291,13 @@ TEST_P(GlobalManagerTest, AnotherVersionIsRefusedInWords) {
   EXPECT_TRUE(contains(answer, "'ancient'")) << answer;
 }
 
-TEST_P(GlobalManagerTest, ASecondManagerAtTheSameAddressIsRefused) {
+TEST_P(GlobalManagerTest, ASecondManagerIsRefused) {
   const std::string error = refusal([&] { GlobalManager second(control_, address_); });
   EXPECT_TRUE(contains(error, address_)) << error;
   EXPECT_TRUE(contains(error, "another process listens there")) << error;
 }
 
-TEST(ManagerLink, SaysHowToStartAManagerThatIsNotThere) {
+TEST(ManagerLink, SaysHowToStartAManager) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("none.sock");
   Peer left("left", address);
@@ -306,7 +306,7 @@ TEST(ManagerLink, SaysHowToStartAManagerThatIsNotThere) {
   EXPECT_TRUE(contains(error, "suture-manager --listen " + address)) << error;
 }
 
-TEST(ManagerLink, AProcessWithoutAnAddressIsNotReached) {
+TEST(ManagerLink, AProcessWithoutAddressIsUnreachable) {
   const TemporaryDirectory directory;
   rpc::ControlThread control;
   const GlobalManager manager(control, "unix:" + directory.file("manager.sock"));

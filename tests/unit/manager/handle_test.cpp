@@ -116,7 +116,7 @@ TEST_P(Handles, BelongToOneThreadEach) {
   EXPECT_FALSE(handle.waitForEvents(now() + 1s));
 }
 
-TEST_P(Handles, AnyNumberOfThemInAnyNumberOfThreads) {
+TEST_P(Handles, AnyNumberWorkInAnyThreads) {
   std::vector<std::unique_ptr<Handle<ArmLike>>> handles;
   for (int i = 0; i < 4; ++i) {
     const std::string name = "Logger" + std::to_string(i) + "/Arm";
@@ -145,7 +145,7 @@ TEST_P(Handles, AFailedConnectionSaysWhy) {
       << "what failed has left nothing behind";
 }
 
-TEST_P(Handles, ComeAndGoWhileTheProviderSendsThemEvents) {
+TEST_P(Handles, ComeAndGoDuringEvents) {
   for (int round = 0; round < 20; ++round) {
     int stops = 0;
     Handle<ArmLike> handle(*manager, "Gui/Arm", arm("Busy"));

@@ -106,7 +106,7 @@ class HeartbeatTest : public testing::Test {
   Watched watch_{heartbeat_, "Arm", kBounds};
 };
 
-TEST_F(HeartbeatTest, ATaskThatIsInTimeIsWell) {
+TEST_F(HeartbeatTest, ATaskInTimeIsWell) {
   EXPECT_EQ(firstOf({0ms}), "well");
   EXPECT_EQ(answers_.asked, 1u);
 }
@@ -119,14 +119,14 @@ TEST_F(HeartbeatTest, ATaskThatStopsMovingLaterHangs) {
   EXPECT_TRUE(whyLost({0ms, 0ms, 0ms, 3s}).starts_with("hung: the thread of 'Arm'"));
 }
 
-TEST_F(HeartbeatTest, AMutePeerIsLostAfterTheBound) {
+TEST_F(HeartbeatTest, AMutePeerIsLost) {
   answers_.silentAfter = 0;
   const Time begun = now();
   EXPECT_TRUE(whyLost({}).starts_with("silent: its process has not answered for 5000 ms"));
   EXPECT_EQ(now() - begun, kBounds.silence);
 }
 
-TEST_F(HeartbeatTest, APeerThatFallsSilentAfterSomeAnswersIsLost) {
+TEST_F(HeartbeatTest, APeerThatFallsSilentIsLost) {
   answers_.silentAfter = 3;
   const Time begun = now();
   EXPECT_TRUE(whyLost({0ms, 0ms, 0ms}).starts_with("silent: its process has not answered"));
@@ -134,7 +134,7 @@ TEST_F(HeartbeatTest, APeerThatFallsSilentAfterSomeAnswersIsLost) {
 }
 
 // A connection whose silence suits no round trip is lost again and again.
-TEST_F(HeartbeatTest, ALossTellsThatSilenceIsTooShortForTheWay) {
+TEST_F(HeartbeatTest, ALossBlamesATooShortSilence) {
   answers_.silentAfter = 0;
   heartbeat_.noteRoundTrip(2100ms);
   heartbeat_.noteRoundTrip(3s);
@@ -143,13 +143,13 @@ TEST_F(HeartbeatTest, ALossTellsThatSilenceIsTooShortForTheWay) {
             "2100 ms: let \"silence\" be at least 5250 ms");
 }
 
-TEST_F(HeartbeatTest, ALossBlamesNoSilenceThatSuitsTheWay) {
+TEST_F(HeartbeatTest, ALossBlamesNoFittingSilence) {
   answers_.silentAfter = 0;
   heartbeat_.noteRoundTrip(2s);
   EXPECT_EQ(whyLost({}), "silent: its process has not answered for 5000 ms");
 }
 
-TEST_F(HeartbeatTest, APeerThatGoesOnAnsweringIsNeverLost) {
+TEST_F(HeartbeatTest, AnAnsweringPeerIsNeverLost) {
   const std::size_t asksOfAMinute = 1min / (kBounds.hang / 10);
   EXPECT_EQ(whyLost(std::vector<Duration>(asksOfAMinute + 1, 0ms)), "not lost");
   EXPECT_GE(answers_.asked, asksOfAMinute);
@@ -163,7 +163,7 @@ TEST_F(HeartbeatTest, AStoppedProcessIsWellAgain) {
 
 // ---- several watches of one session
 
-TEST_F(HeartbeatTest, EachWatchJudgesBySilenceOfItsOwn) {
+TEST_F(HeartbeatTest, EachWatchHasItsOwnSilence) {
   answers_.silentAfter = 1;
   Watched strict(heartbeat_, "Arm", {.silence = 200ms, .hang = 5s});
   const Time begun = now();
@@ -185,7 +185,7 @@ TEST_F(HeartbeatTest, IsSilentOnceNoWatchBearsIt) {
   EXPECT_TRUE(heartbeat_.silent());
 }
 
-TEST_F(HeartbeatTest, AnotherComponentIsJudgedByItsOwnTask) {
+TEST_F(HeartbeatTest, EachComponentsTaskIsJudgedAlone) {
   Watched other(heartbeat_, "Camera", kBounds);
   answers_.overdue = {0ms, 0ms, 3s};
   auto otherLost = other.whenLost().eagerlyEvaluate(nullptr);
@@ -194,7 +194,7 @@ TEST_F(HeartbeatTest, AnotherComponentIsJudgedByItsOwnTask) {
 }
 
 // A heartbeat is as long with 256 connections to a component as with one.
-TEST_F(HeartbeatTest, ThePeerIsToldTheComponentsOnlyWhenTheyChange) {
+TEST_F(HeartbeatTest, ComponentsAreToldWhenTheyChange) {
   std::deque<Watched> more;
   for (int i = 0; i < 256; ++i) more.emplace_back(heartbeat_, "Arm", kBounds);
   port_.getTimer().afterDelay(1 * kj::SECONDS).wait(port_.scope());
@@ -204,7 +204,7 @@ TEST_F(HeartbeatTest, ThePeerIsToldTheComponentsOnlyWhenTheyChange) {
 }
 
 // It begins with a silence that is longer than it bears, and is not lost for that.
-TEST_F(HeartbeatTest, AWatchThatBeginsLaterCountsFromThen) {
+TEST_F(HeartbeatTest, ALaterWatchCountsFromThen) {
   answers_.silentAfter = 2;
   port_.getTimer().afterDelay(1 * kj::SECONDS).wait(port_.scope());
   Watched later(heartbeat_, "Arm", {.silence = 500ms, .hang = 5s});
@@ -215,7 +215,7 @@ TEST_F(HeartbeatTest, AWatchThatBeginsLaterCountsFromThen) {
 
 // ---- a peer that is gone
 
-TEST_F(HeartbeatTest, AllWatchesHearThatAPeerIsGone) {
+TEST_F(HeartbeatTest, AllWatchesHearOfAGonePeer) {
   Watched other(heartbeat_, "Camera", kBounds);
   heartbeat_.end("closed");
   heartbeat_.end("closed again");

@@ -207,7 +207,7 @@ class InvalidCommands : public testing::Test {
   kj::Maybe<reference::wire::ArmLike::Client> arm_;
 };
 
-TEST_F(InvalidCommands, ReachNoHandlerAndAreToldByTheirPlace) {
+TEST_F(InvalidCommands, ReachNoHandler) {
   const std::string refusal = refusalOf(std::numeric_limits<double>::quiet_NaN());
   EXPECT_TRUE(refusal.ends_with(": value outside its declared limits: limit.speed")) << refusal;
   EXPECT_EQ(channel_->lastInvalid.read().text(), "limit.speed");
@@ -216,7 +216,7 @@ TEST_F(InvalidCommands, ReachNoHandlerAndAreToldByTheirPlace) {
   EXPECT_TRUE(channel_->commands.pending());
 }
 
-TEST_F(InvalidCommands, AnAnswerThatIsRefusedIsToldByItsPlace) {
+TEST_F(InvalidCommands, ARefusedAnswersPlaceIsTold) {
   const std::string own = refusalOfDistance("distance"), other = refusalOfDistance("move");
   EXPECT_TRUE(own.ends_with(": value outside its declared limits: distance")) << own;
   EXPECT_TRUE(other.ends_with(": value outside its declared limits")) << other;

@@ -114,7 +114,7 @@ TEST(ManagerLifecycle, SaysWhyItCannotBe) {
             "Correct the cause");
 }
 
-TEST(ManagerLifecycle, ASuspendAwaitsTheRestartOfATaskThatFaults) {
+TEST(ManagerLifecycle, ASuspendAwaitsTheFaultedTasksRestart) {
   struct Shaky final : PeriodicTask {
     Shaky() : PeriodicTask({.period = 1ms}) { restartAfterFaults({.most = 1, .per = 24h}); }
     ~Shaky() override { stop(); }
@@ -135,7 +135,7 @@ TEST(ManagerLifecycle, ASuspendAwaitsTheRestartOfATaskThatFaults) {
   EXPECT_EQ(shaky.faults(), 1u);
 }
 
-TEST(AwaitStart, NamesEveryComponentAndInterfaceThatIsMissing) {
+TEST(AwaitStart, NamesEveryMissingComponentAndInterface) {
   Worker worker;
   Idle idle;
   Watcher connected, unconnected, optional;
@@ -194,7 +194,7 @@ TEST(AwaitStart, AFaultIsToldAtOnce) {
   EXPECT_LT(now() - begin, 1min);
 }
 
-TEST(AwaitStart, AProviderThatIsSuspendedOrGoneIsNamed) {
+TEST(AwaitStart, ASuspendedOrGoneProviderIsNamed) {
   Worker worker;
   Watcher watcher;
   TwoProcesses processes;
@@ -225,7 +225,7 @@ TEST(ManagerLifecycle, RefusesAnInterfaceOfTheReservedName) {
 }
 
 // Other processes look for components while this one still adds them.
-TEST(LifecycleInterface, IsThereAsSoonAsItsComponentIsFound) {
+TEST(LifecycleInterface, IsThereWithItsComponent) {
   std::vector<Worker> workers(200);
   Manager manager("here");
   TestThread peer([&] {
@@ -311,7 +311,7 @@ TEST(LifecycleInterface, TellsTheEnd) {
   EXPECT_EQ(here.watcher.component.component_state().error(), Errc::Lost);
 }
 
-TEST(LifecycleInterface, AFaultThatIsTooLongEndsInDots) {
+TEST(LifecycleInterface, ATooLongFaultEndsInDots) {
   WatchedWorker here;
   here.worker.complaint = std::string(251, 'x') + "\u00b5m are not enough";
   here.watch();
@@ -336,7 +336,7 @@ TEST(LifecycleInterface, ADeviceHasOneToo) {
   EXPECT_TRUE(watcher.hears({"running", "suspended", "running"}));
 }
 
-TEST(ManagerLifecycle, AComponentHasOneManagerAtATime) {
+TEST(ManagerLifecycle, AComponentHasOneManager) {
   Worker worker;
   Manager first("first"), second("second");
   first.add("Worker", worker);
@@ -346,7 +346,7 @@ TEST(ManagerLifecycle, AComponentHasOneManagerAtATime) {
   EXPECT_EQ(worker.name(), "Worker");
 }
 
-TEST(LifecycleInterface, AComponentKeepsItUnderItsNextManager) {
+TEST(LifecycleInterface, AnotherManagerKeepsIt) {
   Worker worker;
   Watcher watcher;
   { Manager("first").add("Worker", worker); }

@@ -67,7 +67,7 @@ TEST(NameService, AnotherProtocolIsRefused) {
   EXPECT_EQ(service.refusalOf(wire::PROTOCOL_VERSION), "");
 }
 
-TEST(NameService, AWaiterHearsThatASilentProcessIsBack) {
+TEST(NameService, AWaiterHearsOfTheReturn) {
   Service service;
   auto lease = service.enrol("left");
   ASSERT_TRUE(service.renew(lease));
@@ -81,7 +81,7 @@ TEST(NameService, AWaiterHearsThatASilentProcessIsBack) {
   EXPECT_TRUE(found.wait(service.scope()).isFound());
 }
 
-TEST(NameService, ASilentProcessHearsThatItsNameIsGone) {
+TEST(NameService, ASilentProcessHearsOfItsLoss) {
   Service service;
   auto lease = service.enrol("left");
   ASSERT_TRUE(service.renew(lease));

@@ -43,14 +43,14 @@ class Patience : public testing::Test {
   TwoProcesses processes_;
 };
 
-TEST_F(Patience, HasNoEndIfThatIsAskedFor) {
+TEST_F(Patience, MayBeEndless) {
   processes_.there.add("PSM", arm_);
   processes_.start();
   EXPECT_EQ(connect("there:PSM", Duration::max()), "");
   EXPECT_TRUE(caller_.arm.hold.start().within(Duration::max()));
 }
 
-TEST_F(Patience, OutlivesWhatAManagerLetsOneQuestionWait) {
+TEST_F(Patience, OutlivesOneQuestionsWait) {
   processes_.here.start();
   std::unique_ptr<Manager> late;
   TestThread other([&] {

@@ -20,7 +20,7 @@ TEST(Policy, WithoutRulesAnyPeerMayDoEverything) {
   }
 }
 
-TEST(Policy, APeerWithoutARuleMayDoNothing) {
+TEST(Policy, APeerWithoutRuleDoesNothing) {
   const Policy policy(std::vector<Rule>{});
   for (const PeerIdentity& peer : {process("console"), user(0), user(geteuid()), kPlain}) {
     EXPECT_FALSE(policy.admits(peer)) << peer.text();
@@ -28,7 +28,7 @@ TEST(Policy, APeerWithoutARuleMayDoNothing) {
   }
 }
 
-TEST(Policy, ARuleIsForOneKindOfProofOnly) {
+TEST(Policy, ARuleNeedsItsProof) {
   const Role all{.full = {"*/*"}, .read = {}};
   const std::pair<const char*, PeerIdentity> cases[] = {{"process:console", process("console")},
                                                         {"process:con*", process("console")},
@@ -47,7 +47,7 @@ TEST(Policy, ARuleIsForOneKindOfProofOnly) {
   EXPECT_FALSE(Policy({{"process:console", all}}).admits(process("console2")));
 }
 
-TEST(Policy, TheSameUserIsThisProcesssOrRoot) {
+TEST(Policy, TheSameUserIncludesRoot) {
   const Policy policy({{"user:same", {.full = {"*/*"}, .read = {}}}});
   EXPECT_TRUE(policy.admits(user(geteuid())));
   EXPECT_TRUE(policy.admits(user(0)));
@@ -61,7 +61,7 @@ TEST(Policy, TheFirstRuleCounts) {
   EXPECT_EQ(policy.access(process("teleop"), kArm), Access::Full);
 }
 
-TEST(Policy, PatternsNameInterfacesOfOneProcessOrOfAny) {
+TEST(Policy, PatternsNameInterfacesOfProcesses) {
   const Policy policy({{"tcp", {.full = {"robot:PSM/A*"}, .read = {"PSM/*", "*/component"}}}});
   const std::pair<Endpoint, Access> cases[] = {
       {{"robot", "PSM", "Arm"}, Access::Full},     {{"other", "PSM", "Arm"}, Access::Read},

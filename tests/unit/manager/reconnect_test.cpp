@@ -121,7 +121,7 @@ TEST(Reconnect, AStoppedClientLetsGoAtOnce) {
   EXPECT_TRUE(eventually([&] { return here.arm.holds > before; }));
 }
 
-TEST(Reconnect, AStoppedClientOfAnotherProcessLetsGoAtOnce) {
+TEST(Reconnect, AnotherProcesssStoppedClientLetsGo) {
   ArmTask arm;
   Client client;
   TwoProcesses processes;
@@ -134,7 +134,7 @@ TEST(Reconnect, AStoppedClientOfAnotherProcessLetsGoAtOnce) {
   });
 }
 
-TEST(Reconnect, ADeviceThatIsNotUsedLetsGoAtOnce) {
+TEST(Reconnect, AnUnusedDeviceLetsGoAtOnce) {
   struct Idle final : Device {
     Required<reference::ArmLike> slave{*this, "Slave"};
   } idle;
@@ -175,9 +175,9 @@ void reconnectOften() {
   EXPECT_EQ(census.seen.size(), 10'000u);
 }
 
-TEST(Reconnect, TenThousandTimesKeepsNothingOfATask) { reconnectOften<ArmTask>(); }
+TEST(Reconnect, ManyTimesKeepNothingOfATask) { reconnectOften<ArmTask>(); }
 
-TEST(Reconnect, TenThousandTimesKeepsNothingOfADevice) { reconnectOften<ArmDevice>(); }
+TEST(Reconnect, ManyTimesKeepNothingOfADevice) { reconnectOften<ArmDevice>(); }
 
 TEST(Reconnect, OverRpcKeepsOnlyTheNewChannel) {
   ArmTask arm;
@@ -209,7 +209,7 @@ TEST(Reconnect, OverRpcKeepsOnlyTheNewChannel) {
   EXPECT_EQ(client.state(), ComponentState::Running) << "what is taken down is not lost";
 }
 
-TEST(Reconnect, AfterALossOverRpcTheNewChannelIsShown) {
+TEST(Reconnect, TheNewRpcChannelIsShown) {
   TemporaryDirectory directory;
   rpc::ControlThread control;
   GlobalManager global{control, "unix:" + directory.file("manager.sock")};
@@ -289,7 +289,7 @@ TEST_P(StartedAgain, ClientsLoseItUntilTheyReconnect) {
   EXPECT_TRUE(eventually([&] { return arm.holds > before && client.error == Errc{}; }));
 }
 
-TEST(Reconnect, WhyALostConnectionCannotBeMadeAnewIsTold) {
+TEST(Reconnect, AFailedReconnectSaysWhy) {
   const TemporaryDirectory directory;
   rpc::ControlThread control;
   const GlobalManager global(control, "unix:" + directory.file("m.sock"));

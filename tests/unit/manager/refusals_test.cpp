@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(RefusalsTest, ARepeatedRefusalIsToldOnceAMinute) {
+TEST(RefusalsTest, ARepeatedRefusalIsToldEachMinute) {
   rpc::Refusals refusals("left");
   testing::internal::CaptureStderr();
   for (int i = 0; i < 3; ++i) refusals.add("user 7", "talk to it: no");
@@ -33,7 +33,7 @@ TEST(RefusalsTest, ARepeatedRefusalIsToldOnceAMinute) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "left: refused user 7: talk to it: no\n");
 }
 
-TEST(RefusalsTest, APeerThatInventsReasonsFillsNoLog) {
+TEST(RefusalsTest, InventedReasonsFillNoLog) {
   rpc::Refusals refusals("left");
   testing::internal::CaptureStderr();
   for (int i = 0; i < 1000; ++i) refusals.add("user 7", "use 'left:" + std::to_string(i) + "'");

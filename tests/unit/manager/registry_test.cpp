@@ -18,7 +18,7 @@ ProcessRecord recordOf(const std::string& name, std::int32_t pid = 7) {
 
 std::shared_ptr<Holding> link() { return std::make_shared<Holding>(); }
 
-TEST(Registry, KnowsWhatWasAddedUntilItIsRemoved) {
+TEST(Registry, KnowsWhatWasAdded) {
   Registry registry;
   const auto generation = registry.add(recordOf("left"), link());
   ASSERT_TRUE(generation);
@@ -28,7 +28,7 @@ TEST(Registry, KnowsWhatWasAddedUntilItIsRemoved) {
   EXPECT_EQ(registry.find("left"), nullptr);
 }
 
-TEST(Registry, ATakenNameIsRefusedAndTheHolderNamed) {
+TEST(Registry, ATakenNamesHolderIsNamed) {
   Registry registry;
   ASSERT_TRUE(registry.add(recordOf("left", 4711), link()));
   const auto second = registry.add(recordOf("left", 4712), link());
@@ -82,7 +82,7 @@ TEST(Registry, AProcessThatNeverRenewsIsSilent) {
   EXPECT_TRUE(registry.add(recordOf("left", 4712), link()));
 }
 
-TEST(Registry, ASilentProcessLosesItsNameToAnother) {
+TEST(Registry, ASilentProcessLosesItsName) {
   Registry registry;
   const auto first = registry.add(recordOf("left", 4711), link());
   ASSERT_TRUE(registry.renew("left", *first));
@@ -94,7 +94,7 @@ TEST(Registry, ASilentProcessLosesItsNameToAnother) {
   EXPECT_EQ(registry.find("left")->pid, 4712);
 }
 
-TEST(Registry, NamesThatWouldBeMistakenForAnAddressAreRefused) {
+TEST(Registry, AddressLikeNamesAreRefused) {
   Registry registry;
   for (const std::string name : {"", "a:b", "a/b", "a b", "a\tb", "a\x1b", "a\x7f"}) {
     const auto added = registry.add(recordOf(name), link());
@@ -109,7 +109,7 @@ TEST(Registry, NamesThatWouldBeMistakenForAnAddressAreRefused) {
   EXPECT_TRUE(registry.add(recordOf(std::string(100, 'x')), link()));
 }
 
-TEST(Registry, AnUnknownNameIsAnsweredWithWhatThereIs) {
+TEST(Registry, AnUnknownNameListsTheKnown) {
   Registry registry;
   EXPECT_NE(registry.unknown("left", 0).text.find("knows none"), std::string::npos);
   ASSERT_TRUE(registry.add(recordOf("left"), link()));

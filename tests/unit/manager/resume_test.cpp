@@ -76,7 +76,7 @@ struct DeviceClient final : Device {
   Required<reference::ArmLike> slave{*this, "Slave"};
 };
 
-TEST(Resuming, ADeviceResumesWhenItUsesTheConnectionNext) {
+TEST(Resuming, ADeviceResumesAtItsNextUse) {
   ArmTask arm;
   DeviceClient client;
   Operator person;
@@ -94,7 +94,7 @@ TEST(Resuming, ADeviceResumesWhenItUsesTheConnectionNext) {
   EXPECT_TRUE(client.slave.hold());
 }
 
-TEST(Resuming, AResumeDoesNotCoverALaterLoss) {
+TEST(Resuming, AResumeCoversNoLaterLoss) {
   const TemporaryDirectory directory;
   rpc::ControlThread control;
   const GlobalManager global(control, "unix:" + directory.file("m.sock"));

@@ -154,7 +154,7 @@ class StopOfADevice : public testing::TestWithParam<Lane> {
 INSTANTIATE_TEST_SUITE_P(Lanes, StopOfADevice, testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc),
                          [](const auto& row) { return std::string(toString(row.param)); });
 
-TEST_P(StopOfADevice, LeavesTheOutcomeOfTheCallThatRunsOpen) {
+TEST_P(StopOfADevice, ARunningCallsOutcomeStaysOpen) {
   auto answered = client_.slave.reset.start();
   ASSERT_TRUE(eventually([&] { return arm_.handler.begun.load(); }));
   arm_.stop();

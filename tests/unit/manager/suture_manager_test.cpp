@@ -52,7 +52,7 @@ TEST(SutureManager, TellsThePortItPicked) {
   EXPECT_FALSE(line.ends_with(":0")) << line;
 }
 
-TEST(SutureManager, AnAddressInUseIsAnErrorAndStatusOne) {
+TEST(SutureManager, AnAddressInUseIsAnError) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("manager.sock");
   Program first(address);
@@ -64,7 +64,7 @@ TEST(SutureManager, AnAddressInUseIsAnErrorAndStatusOne) {
   EXPECT_EQ(second.end(0), 1);
 }
 
-TEST(SutureManager, AFolderThatCannotBeMadeIsAnError) {
+TEST(SutureManager, AnImpossibleFolderIsAnError) {
   Program program("unix:/nowhere/at/all/manager.sock");
   EXPECT_EQ(program.line(),
             "suture-manager: make the directory /nowhere/at/all: No such file or directory. "
@@ -110,7 +110,7 @@ TEST(SutureManager, PlainTcpHasToBeAskedFor) {
   EXPECT_TRUE(line.starts_with("suture-manager: ready on tcp://0.0.0.0:")) << line;
 }
 
-TEST(SutureManager, OpensItsSocketToTheUsersThatItNames) {
+TEST(SutureManager, OpensItsSocketToNamedUsers) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("m.sock");
   struct stat status {};

@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, Ttl,
                            return std::string(row.param ? toString(*row.param) : "local");
                          });
 
-TEST_P(Ttl, RunsOutBehindAHandlerThatTakesLonger) {
+TEST_P(Ttl, RunsOutBehindALongHandler) {
   SlowArm arm(kTtl + 1ms);
   send(arm);
   EXPECT_EQ(arm.servos, 0);

@@ -58,20 +58,20 @@ void expectWhole(const ConnectionReport& whole) {
   EXPECT_EQ(whole.commandAge.max, 6ms);
 }
 
-TEST(Merge, TheTwoEndsOfAConnectionBecomeOne) {
+TEST(Merge, BothEndsBecomeOneConnection) {
   const auto merged = suture::mergeConnections(
       {{"a", {}, {clientEnd("x")}, {}}, {"b", {}, {providerEnd("x")}, {}}});
   ASSERT_EQ(merged.size(), 1u);
   expectWhole(merged[0]);
 }
 
-TEST(Merge, TheTwoEndsMayComeInEitherOrderFromOneProcess) {
+TEST(Merge, BothEndsMayComeInAnyOrder) {
   const auto merged = suture::mergeConnections({{"a", {}, {providerEnd("x"), clientEnd("x")}, {}}});
   ASSERT_EQ(merged.size(), 1u);
   expectWhole(merged[0]);
 }
 
-TEST(Merge, ALossThatOnlyOneEndSeesIsReported) {
+TEST(Merge, AOneSidedLossIsReported) {
   auto provider = providerEnd("x");
   provider.status = suture::ChannelStatus::Lost;
   const auto merged =

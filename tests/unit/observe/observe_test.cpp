@@ -76,7 +76,7 @@ TEST(Observe, CountsWhatALocalConnectionDoes) {
   EXPECT_GT(report.tasks[0].window.compute.p99, 0ns);
 }
 
-TEST(Observe, TellsWhichPartOfAValueWasRefused) {
+TEST(Observe, TellsARefusedValuesPart) {
   struct Console final : suture::Device {
     suture::Required<reference::ArmLike> arm{*this, "Arm"};
   } console;
@@ -95,7 +95,7 @@ TEST(Observe, TellsWhichPartOfAValueWasRefused) {
   manager.stop();
 }
 
-TEST(Observe, TellsHowAContractIsKeptAndWhatDevicesAre) {
+TEST(Observe, TellsOfContractsAndDevices) {
   struct Shelf final : suture::Device {
   } shelf;
   reference::SimulatedArm arm({});

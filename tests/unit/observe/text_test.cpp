@@ -79,7 +79,7 @@ TEST(Text, TellsWhatWasRefusedToPeers) {
             "refused to peers: 3, the latest to user 7: talk to 'left': no\n");
 }
 
-TEST(Text, SaysWhichEndCountsWhatThisOneDoesNot) {
+TEST(Text, SaysWhichEndCountsTheRest) {
   EXPECT_EQ(toText({"left", 0s, {connection(ConnectionEnd::Client)}, {}, {}}),
             "process left after 0.0 s\n"
             "connections\n"

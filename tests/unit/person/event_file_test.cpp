@@ -33,7 +33,7 @@ TEST(EventFile, HandsOverWhatHasCome) {
   EXPECT_TRUE(file.isOpen());
 }
 
-TEST(EventFile, KeepsHalfAnEventUntilTheRestComes) {
+TEST(EventFile, KeepsHalfAnEvent) {
   Fifo fifo;
   fifo.plugIn();
   EventFile file(fifo.path());
@@ -60,7 +60,7 @@ TEST(EventFile, HandsOverManyByTurns) {
   EXPECT_EQ(file.read().size(), 36u);
 }
 
-TEST(EventFile, ClosesWithoutAWriterAndForgetsHalfAnEvent) {
+TEST(EventFile, ForgetsHalfAnEventWithoutWriter) {
   Fifo fifo;
   fifo.plugIn();
   EventFile file(fifo.path());

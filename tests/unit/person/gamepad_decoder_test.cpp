@@ -74,7 +74,7 @@ TEST_F(GamepadDecoderTest, KnowsTriggerAndClutch) {
   EXPECT_FALSE(after({button(BTN_TL, false), report()}).clutch);
 }
 
-TEST_F(GamepadDecoderTest, RestsAfterDroppedEventsUntilASticksNextReport) {
+TEST_F(GamepadDecoderTest, DroppedEventsRestUntilTheNextReport) {
   after(stickToTheRight());
   EXPECT_EQ(after({dropped()}).push, Vector3d::Zero());
   EXPECT_EQ(after({axis(ABS_Y, -32768), report()}).push, Vector3d::Zero())
@@ -82,7 +82,7 @@ TEST_F(GamepadDecoderTest, RestsAfterDroppedEventsUntilASticksNextReport) {
   EXPECT_EQ(after({axis(ABS_Y, -32768), report()}).push, Vector3d(0, 1, 0));
 }
 
-TEST_F(GamepadDecoderTest, TakesTheClutchForPressedThatItDoesNotKnow) {
+TEST_F(GamepadDecoderTest, TakesAnUnknownClutchForPressed) {
   EXPECT_TRUE(after({dropped(), report()}).clutch);
   EXPECT_TRUE(after({button(BTN_TL, true), report()}).clutch);
   EXPECT_FALSE(after({button(BTN_TL, false), report()}).clutch);

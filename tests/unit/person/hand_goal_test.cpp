@@ -11,7 +11,7 @@ using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-TEST(HandGoal, MovesAndTurnsInTheDirectionsOfTheReferenceFrame) {
+TEST(HandGoal, MovesInTheReferenceFrame) {
   Isometry3d start = Isometry3d::Identity();
   start.translation() = Vector3d(0.1, 0.2, 0.3);
   start.linear() = AngleAxisd(1, Vector3d::UnitX()).toRotationMatrix();
@@ -23,7 +23,7 @@ TEST(HandGoal, MovesAndTurnsInTheDirectionsOfTheReferenceFrame) {
   EXPECT_TRUE(goal.linear().isApprox(AngleAxisd(0.5, Vector3d::UnitZ()) * start.linear(), 1e-9));
 }
 
-TEST(HandGoal, WaitsForAnArmThatDoesNotCome) {
+TEST(HandGoal, WaitsForItsArm) {
   Isometry3d goal = Isometry3d::Identity();
   const HandInput input{.velocity = {0, 0, 0.25}, .angular_velocity = {2, 0, 0}, .opening = {}};
   for (int i = 0; i < 10000; ++i) goal = movedGoal(goal, Isometry3d::Identity(), input, 0.001);

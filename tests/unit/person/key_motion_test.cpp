@@ -24,7 +24,7 @@ class KeyMotionTest : public testing::Test {
   KeyMotion keys_{{.speed = 0.02, .turning_speed = 0.3, .hold = 150ms}};
 };
 
-TEST_F(KeyMotionTest, EndsHundredAndFiftyMillisecondsAfterTheLastRepeat) {
+TEST_F(KeyMotionTest, OutlastsTheLastRepeat) {
   press("d");
   EXPECT_EQ(at(0ms).velocity, Vector3d(0.02, 0, 0));
   press("d", 140ms);
@@ -33,7 +33,7 @@ TEST_F(KeyMotionTest, EndsHundredAndFiftyMillisecondsAfterTheLastRepeat) {
   EXPECT_TRUE(at(320ms).isAtRest());
 }
 
-TEST_F(KeyMotionTest, CountsTheTimeOfEachKeyByItself) {
+TEST_F(KeyMotionTest, CountsEachKeysTimeAlone) {
   press("w");
   press("d", 100ms);
   EXPECT_EQ(at(149ms).velocity, Vector3d(0.02, 0.02, 0));
@@ -57,7 +57,7 @@ TEST_F(KeyMotionTest, TurnsAboutEachAxis) {
   EXPECT_TRUE(at(3ms).velocity.isZero(0));
 }
 
-TEST_F(KeyMotionTest, PressesTheClutchByOneKeyAndReleasesItByAnother) {
+TEST_F(KeyMotionTest, OneKeyPressesAndAnotherReleases) {
   EXPECT_FALSE(keys_.clutch());
   press("x");
   EXPECT_TRUE(keys_.clutch());
@@ -68,7 +68,7 @@ TEST_F(KeyMotionTest, PressesTheClutchByOneKeyAndReleasesItByAnother) {
 }
 
 // Whether a terminal repeats an even number of times is a matter of luck.
-TEST_F(KeyMotionTest, KeepsTheClutchHoweverOftenItsKeyRepeats) {
+TEST_F(KeyMotionTest, ARepeatedKeyKeepsTheClutch) {
   press("xx");
   EXPECT_TRUE(keys_.clutch());
   press("xxx");
@@ -81,7 +81,7 @@ TEST_F(KeyMotionTest, StopsAtOnceAtASpace) {
   EXPECT_TRUE(at(20ms).isAtRest());
 }
 
-TEST_F(KeyMotionTest, OpensAndClosesTheGripperOnAKey) {
+TEST_F(KeyMotionTest, AKeyOpensAndClosesTheGripper) {
   EXPECT_FALSE(at(0ms).opening);
   press("c");
   EXPECT_EQ(at(1s).opening, 0);
@@ -97,7 +97,7 @@ TEST_F(KeyMotionTest, IgnoresWhatHasNoMeaning) {
 }
 
 // These are an arrow with Shift of one terminal, one with Ctrl of others, Alt and a letter.
-TEST_F(KeyMotionTest, IgnoresSequencesThatEndInALetterOfItsOwn) {
+TEST_F(KeyMotionTest, IgnoresSequencesThatEndInItsLetter) {
   press(
       "\x1b[d\x1bOd\x1b[1;5d\x1b"
       "d");
@@ -106,7 +106,7 @@ TEST_F(KeyMotionTest, IgnoresSequencesThatEndInALetterOfItsOwn) {
   EXPECT_EQ(at(3ms).velocity, Vector3d(0.02, 0, 0));
 }
 
-TEST_F(KeyMotionTest, TakesTheKeyThatIsPressedAfterEscape) {
+TEST_F(KeyMotionTest, TakesTheKeyAfterEscape) {
   press("\x1b");
   press("x", 10s);
   EXPECT_TRUE(keys_.clutch());

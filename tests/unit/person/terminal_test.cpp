@@ -29,7 +29,7 @@ TEST(Terminal, HandsOverSingleKeysAndIsRestored) {
   EXPECT_FALSE(pty.handsOverKeys());
 }
 
-TEST(Terminal, ForgetsWhatWasTypedBeforeItIsTakenOver) {
+TEST(Terminal, ForgetsWhatWasTypedBefore) {
   const PseudoTerminal pty;
   Terminal terminal(pty.path());
   pty.type("aaa\n");

@@ -122,7 +122,7 @@ TEST_F(Boxed, NoFurtherBackThanAsked) {
             R"({"fault":"the drive did not answer","first":1,"from":"PSM","last":1})");
 }
 
-TEST_F(Boxed, EveryFaultHasAFileOfItsOwn) {
+TEST_F(Boxed, EveryFaultHasItsFile) {
   arm_.restartAfterFaults({.most = 1, .per = 24h});
   begin(directory_.file(""));
   toldAfterFault();
@@ -160,7 +160,7 @@ TEST_F(Boxed, AFullDiskIsTold) {
   EXPECT_NE(toldAfterFault().find("the file system did not take all of it"), std::string::npos);
 }
 
-TEST(BlackBox, TellsStandardErrorIfNobodyElseIsToHear) {
+TEST(BlackBox, TellsStandardErrorWithoutListeners) {
   const TemporaryDirectory directory;
   Arm arm;
   Manager manager("here");
@@ -192,7 +192,7 @@ TEST(BlackBox, RefusesToLookWithoutAPause) {
             "a black box: a period of -1 ns. Give a period greater than zero");
 }
 
-TEST_F(Boxed, ABoxMayLookAtTheEndAlone) {
+TEST_F(Boxed, MayLookAtTheEndAlone) {
   begin(directory_.file(""), 10s, Duration::max());
   arm_.broken = 1;
   EXPECT_TRUE(eventually([&] { return arm_.state() == ComponentState::Faulted; }));

@@ -108,7 +108,7 @@ TEST_F(UntilTheEnd, TheLastRowsAreCollected) {
   EXPECT_EQ(sink_.numbers.back(), arm_.produced());
 }
 
-TEST_F(UntilTheEnd, TheFirstLookIsAtTheConnectionHoweverLongThePeriod) {
+TEST_F(UntilTheEnd, TheFirstLookIsAtTheConnection) {
   StateCollector collector(interfaceInfo<Lifecycle>(), {.period = 1h}, sink_);
   begin(collector, "PSM/Arm");
   ASSERT_TRUE(eventually([&] { return arm_.produced() > 0; }));
@@ -117,7 +117,7 @@ TEST_F(UntilTheEnd, TheFirstLookIsAtTheConnectionHoweverLongThePeriod) {
   EXPECT_EQ(sink_.numbers.back(), arm_.produced());
 }
 
-TEST_F(UntilTheEnd, CollectingBeginsWhenItIsToldHoweverLongThePeriod) {
+TEST_F(UntilTheEnd, CollectingBeginsWhenToldTo) {
   StateCollector collector(interfaceInfo<Lifecycle>(), {.period = 1h, .collecting = false}, sink_);
   begin(collector, "PSM/Arm");
   ASSERT_FALSE(collector.collecting());
@@ -135,7 +135,7 @@ TEST_F(UntilTheEnd, TheLastEventsAreCollected) {
   EXPECT_EQ(states.last(), ComponentState::Stopped);
 }
 
-TEST_F(UntilTheEnd, EventsThatWaitForASuspendedCollectorAreCollected) {
+TEST_F(UntilTheEnd, ASuspendedCollectorsEventsAreCollected) {
   States states;
   EventCollector collector(interfaceInfo<Lifecycle>(), {}, states);
   begin(collector, "PSM/component");

@@ -83,7 +83,7 @@ TEST(EventCollector, EventsCollectedAndMissedAreThoseEmitted) {
   EXPECT_GT(sink.stamps.front(), now() - 1min);
 }
 
-TEST(EventCollector, ASlowSinkLosesEventsAndTheyAreCounted) {
+TEST(EventCollector, ASlowSinksLostEventsAreCounted) {
   CountingSink sink(10ms);
   CollectedEvents run({.events = {"arrived"}}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.counts().missed > 100; }));
@@ -97,7 +97,7 @@ struct BurstEmitter final : Device, StillArm {
 };
 
 // The collector finds itself connected anew when it wakes up.
-TEST(EventCollector, CountsWhatAConnectionOfBeforeHasDropped) {
+TEST(EventCollector, CountsAnEarlierConnectionsDrops) {
   CountingSink sink;
   BurstEmitter arm;
   EventCollector collector(interfaceInfo<ArmLike>(), {}, sink);

@@ -75,7 +75,7 @@ TEST(JsonLines, WritesOneObjectALine) {
 }
 
 /// A collector is a task, whose thread allocates nothing.
-TEST(StateCollector, RefusesAContractWithAReadWithoutBounds) {
+TEST(StateCollector, RefusesAnUnboundedRead) {
   InterfaceInfo contract = interfaceInfo<robots::Arm>();
   std::vector<CommandInfo> commands(contract.commands.begin(), contract.commands.end());
   commands[robots::ArmCommand::measured_js].sharedResult = true;
@@ -144,7 +144,7 @@ class NoMoreRoom {
   void (*const handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
 };
 
-TEST(JsonLines, ADiskThatWasFullHasWholeLinesAndIsWrittenAgain) {
+TEST(JsonLines, AFullDiskKeepsWholeLines) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("run.jsonl");
   JsonLines sink(file);
@@ -227,7 +227,7 @@ CollectedCounts countsOf(const std::string& file) {
   return counts;
 }
 
-TEST(JsonLines, AStateCollectorIsRestartedAndLosesNothingUncounted) {
+TEST(JsonLines, ARestartedStateCollectorCountsItsLosses) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("run.jsonl");
   OnceFull sink(file);
@@ -250,7 +250,7 @@ TEST(JsonLines, AStateCollectorIsRestartedAndLosesNothingUncounted) {
   EXPECT_EQ(countsOf(file).missed, collector.counts().missed);
 }
 
-TEST(JsonLines, AnEventCollectorIsRestartedAndLosesNothingUncounted) {
+TEST(JsonLines, ARestartedEventCollectorCountsItsLosses) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("run.jsonl");
   OnceFull sink(file);
@@ -294,7 +294,7 @@ TEST(JsonLines, RefusesAPipeThatNobodyReads) {
                 ": it is a pipe that nobody reads. Start its reader first, or name a file");
 }
 
-TEST(JsonLines, APipeWhoseReaderIsGoneTakesNothingAndRaisesNoSignal) {
+TEST(JsonLines, APipeWithoutReaderRaisesNoSignal) {
   const TemporaryDirectory directory;
   const std::string pipe = pipeIn(directory);
   const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);

@@ -54,7 +54,7 @@ TEST_F(LineFileTest, TakesNothingOnceAnotherFileReplacesIt) {
   EXPECT_FALSE(file.append("lost\n"));
 }
 
-TEST_F(LineFileTest, GoesOnUnderTheNewNameOfItsFile) {
+TEST_F(LineFileTest, FollowsItsFilesNewName) {
   LineFile file(path_);
   file.take();
   EXPECT_TRUE(file.append("one\n"));
@@ -89,7 +89,7 @@ class LinePipeTest : public LineFileTest {
   int reader_ = -1;
 };
 
-TEST_F(LinePipeTest, IsGivenUpIfItsReaderReadsNothing) {
+TEST_F(LinePipeTest, AnIdleReaderIsGivenUp) {
   LineFile file(path_);
   file.take();
   EXPECT_FALSE(file.append(manyLines()));

@@ -49,7 +49,7 @@ void expectAscending(const std::vector<std::uint64_t>& numbers) {
   for (std::size_t i = 1; i < numbers.size(); ++i) ASSERT_LT(numbers[i - 1], numbers[i]);
 }
 
-TEST(StateCollector, CollectedAndMissedRowsAddUpToThoseProduced) {
+TEST(StateCollector, RowsAddUpToThoseProduced) {
   CountingSink sink;
   CollectedStates run({.reads = {"measured_cp", "measured_js"}}, sink);
   pass(1500ms);
@@ -66,7 +66,7 @@ TEST(StateCollector, CollectedAndMissedRowsAddUpToThoseProduced) {
   expectAscending(sink.numbers);
 }
 
-TEST(StateCollector, ASlowSinkLosesRowsAndTheyAreCounted) {
+TEST(StateCollector, ASlowSinksLostRowsAreCounted) {
   CountingSink sink(4ms);
   CollectedStates run({}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.counts().missed > 100; }));
@@ -129,7 +129,7 @@ TEST(StateCollector, CollectsOnlyFromStartToStop) {
   expectAscending(sink.numbers);
 }
 
-TEST(StateCollector, RowsThatArriveOverALaneAreAccountedFor) {
+TEST(StateCollector, ALanesRowsAreAccountedFor) {
   rpc::ControlThread control;
   GlobalManager names(control, "tcp://127.0.0.1:0");
   reference::SimulatedArm arm{{}};
@@ -165,7 +165,7 @@ TEST(StateCollector, RefusesAReadThatIsNotThere) {
       "a collector: a period of 0 ns. Give a period greater than zero");
 }
 
-TEST(StateCollector, ACycleEndsThoughTheSinkIsSlowerThanTheProvider) {
+TEST(StateCollector, ACycleEndsDespiteASlowSink) {
   CountingSink sink(4ms);
   CollectedStates run({}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.counts().missed > 100; }));
@@ -174,7 +174,7 @@ TEST(StateCollector, ACycleEndsThoughTheSinkIsSlowerThanTheProvider) {
   run.finish();
 }
 
-TEST(StateCollector, KeepsNoRowsThatCameAfterItWasDisconnected) {
+TEST(StateCollector, KeepsNoRowsAfterItsDisconnect) {
   CountingSink sink;
   CollectedStates run({}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.counts().collected >= 20; }));
@@ -199,7 +199,7 @@ struct ArmDevice final : Device {
   Provided<ArmLike> port{*this, "Arm", arm};
 };
 
-TEST(StateCollector, ADeviceOfItsProcessIsRefusedAndCollectedOverALane) {
+TEST(StateCollector, DevicesAreCollectedOverALaneOnly) {
   rpc::ControlThread control;
   GlobalManager names(control, "tcp://127.0.0.1:0");
   ArmDevice device;
@@ -226,7 +226,7 @@ struct FullDisk final : Sink {
   void missed(const CollectedInterface&, std::uint64_t) override {}
 };
 
-TEST(StateCollector, ASinkThatThrowsParksTheCollectorAlone) {
+TEST(StateCollector, AThrowingSinkParksItsCollector) {
   FullDisk sink;
   CollectedStates run({}, sink);
   EXPECT_TRUE(eventually([&] { return run.collector.state() == ComponentState::Faulted; }));

@@ -54,7 +54,7 @@ std::string onlyViolation(const std::vector<ArmRow>& rows, const HoldBounds& bou
   return found.empty() ? "" : found.front();
 }
 
-TEST(HoldJudge, AcceptsAnArmThatHoldsSoonAndGoesOn) {
+TEST(HoldJudge, AcceptsAnArmThatHoldsSoon) {
   const HoldJudgement judgement =
       judgeHold(armThatHolds(kBroken + 20ms, kMended + 300ms), kBroken, kMended);
   EXPECT_NEAR(judgement.held_after, 0.019, 1e-9);
@@ -76,7 +76,7 @@ TEST(HoldJudge, FindsAnArmThatWentOn) {
             "it moved until 999 ms after that, at most 500 ms allowed");
 }
 
-TEST(HoldJudge, FindsAnArmThatAStopEndsTooLate) {
+TEST(HoldJudge, FindsAnArmThatStopsLate) {
   const auto rows = armThatHolds(kBroken + 450ms, kMended);
   EXPECT_TRUE(violations(judgeHold(rows, kBroken, kMended)).empty());
   EXPECT_EQ(onlyViolation(rows, {.held_after = 0.08}),
@@ -93,7 +93,7 @@ TEST(HoldJudge, FindsAnArmThatNeverMovedAgain) {
   EXPECT_EQ(onlyViolation(armThatHolds(kBroken, suture::Time{12s})), "it never moved again");
 }
 
-TEST(HoldJudge, SaysWhyAnArmInFaultNeverMovedAgain) {
+TEST(HoldJudge, SaysWhyAFaultedArmRests) {
   auto rows = armThatHolds(kBroken, kMended);  // its set-point follows what moves the joints
   for (ArmRow& row : rows) row.enabled = row.stamp < kBroken + 250ms;
   EXPECT_EQ(onlyViolation(rows),
@@ -101,7 +101,7 @@ TEST(HoldJudge, SaysWhyAnArmInFaultNeverMovedAgain) {
             "stays in FAULT until a person enables or disables it");
 }
 
-TEST(HoldJudge, FindsAnArmThatCatchesUpAtOnce) {
+TEST(HoldJudge, FindsAnArmThatCatchesUp) {
   const auto rows = armThatMoves(jumps(0.10025, 1ms, 1e-4));
   EXPECT_EQ(onlyViolation(rows), "its set-point jumped by 100.0 mm, at most 3.0 mm allowed");
 }

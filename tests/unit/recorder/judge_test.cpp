@@ -93,7 +93,7 @@ Judgement judged(const Recorded& run) {
   return judge(run.master, run.followed, run.slave, {kTimeConstant});
 }
 
-TEST(Judge, FindsNoErrorInASlaveThatObeysTheLaw) {
+TEST(Judge, FindsNoErrorInALawfulSlave) {
   const Judgement judgement = judged(makeRun({}));
   EXPECT_GT(judgement.compared, 9900u);
   EXPECT_EQ(judgement.unmatched, 0u);
@@ -103,7 +103,7 @@ TEST(Judge, FindsNoErrorInASlaveThatObeysTheLaw) {
   EXPECT_TRUE(violations(judgement).empty());
 }
 
-TEST(Judge, HoldsASlaveThatDeclaresNoLagToItsLastGoal) {
+TEST(Judge, ASlaveWithoutLagMeetsItsGoal) {
   const Recorded prompt = makeRun({.extraLag = -kTimeConstant});
   const Judgement judgement = judge(prompt.master, prompt.followed, prompt.slave, {});
   EXPECT_GT(judgement.compared, 9900u);
@@ -114,7 +114,7 @@ TEST(Judge, HoldsASlaveThatDeclaresNoLagToItsLastGoal) {
   EXPECT_FALSE(violations(judge(late.master, late.followed, late.slave, {})).empty());
 }
 
-TEST(Judge, KnowsThatDrivesActOnAGoalInTheirNextCycle) {
+TEST(Judge, DrivesActInTheirNextCycle) {
   const Recorded run = makeRun({.cyclesUntilGoals = 1}, 1.2);
   EXPECT_GT(judged(run).position.p99, 1e-4) << "nobody declared it";
   const Judgement judgement =
@@ -215,17 +215,17 @@ TEST(Judge, SeesASlaveThatGetsNoGoals) {
   EXPECT_EQ(violationsWithoutGoals(), std::vector<std::string>{kHalf});
 }
 
-TEST(Judge, SeesASlaveThatIsNotEnabledAnyMore) {
+TEST(Judge, SeesASlaveThatIsDisabled) {
   EXPECT_EQ(violationsIfDisabled(), std::vector<std::string>{kHalf});
 }
 
-TEST(Judge, SeesASlaveWhoseRecordingEndsTooSoon) {
+TEST(Judge, SeesATooShortRecording) {
   Recorded run = makeRun({});
   std::erase_if(run.slave, [](const ArmRow& row) { return row.stamp > at(5); });
   EXPECT_EQ(violations(judged(run)), std::vector<std::string>{kHalf});
 }
 
-TEST(Judge, AsksOnlyForWhatASlaveHasToFollow) {
+TEST(Judge, AsksOnlyForDueFollowing) {
   EXPECT_TRUE(violationsWithoutGoals({.end = at(5.2)}).empty());
   EXPECT_TRUE(violationsWithoutGoals({.excused = {{at(5), at(7)}, {at(6), at(10)}}}).empty());
   EXPECT_TRUE(violationsWithoutGoals({.excused = {{at(4), at(7)}}}).empty()) << "it recovers";
@@ -236,7 +236,7 @@ TEST(Judge, AsksOnlyForWhatASlaveHasToFollow) {
             "s after it began");
 }
 
-TEST(Judge, DoesNotAskToFollowWhileTheClutchIsPressed) {
+TEST(Judge, TheClutchAsksForNoFollowing) {
   const std::vector<ClutchNews> news{{false, at(1)}, {true, at(5)},  {true, at(6)},
                                      {false, at(7)}, {false, at(8)}, {true, at(9)}};
   const std::vector<Span> spans = clutched(news, at(10));
@@ -269,7 +269,7 @@ TEST(Judge, ADisabledSlaveIsNotJudged) {
   EXPECT_GT(judgement.travel, 0.03);
 }
 
-TEST(Judge, HoldsTheSlaveToTheAnchorsOfEachEntry) {
+TEST(Judge, EachEntrysAnchorsHold) {
   Recorded run = makeRun({});
   // Another entry has a slave set-point 5 mm off from 5 s on: the recorded slave does not go there.
   FollowAnchors again = run.followed.front();
@@ -293,7 +293,7 @@ TEST(Judge, SaysWhenThereIsNothingToCompare) {
 }
 
 // The demo judges so: it writes pieces of recordings at different speeds.
-TEST(Judge, SaysTheSameOfARunThatComesInPieces) {
+TEST(Judge, APiecemealRunIsJudgedTheSame) {
   const Recorded run = makeRun({.extraLag = 0.005, .missedRows = 0.1});
   Judge judge({kTimeConstant});
   double worst = 0;

@@ -76,7 +76,7 @@ KnotJudgement judgedKnot(const KnotFaults& faults) {
   return judgeKnot(rows, kKnotTarget);
 }
 
-TEST(KnotJudge, FindsNoFaultInAKnotThatWasPlaced) {
+TEST(KnotJudge, FindsNoFaultInAPlacedKnot) {
   const KnotJudgement judgement = judgedKnot({});
   EXPECT_EQ(violations(judgement), Sentences{});
   EXPECT_NEAR(judgement.start, 0.03, 1e-9);
@@ -87,12 +87,12 @@ TEST(KnotJudge, FindsNoFaultInAKnotThatWasPlaced) {
   EXPECT_EQ(judgement.rows, std::size_t{kKnotRows});
 }
 
-TEST(KnotJudge, SeesAKnotThatEndsTwoMillimetresOff) {
+TEST(KnotJudge, SeesAKnotTwoMillimetresOff) {
   EXPECT_EQ(violations(judgedKnot({.aside = 0.002})),
             Sentences{"the knot ended 2.00 mm from its target, at most 1.00 mm allowed"});
 }
 
-TEST(KnotJudge, SeesAKnotThatWasThereFromTheBeginning) {
+TEST(KnotJudge, SeesAKnotFromTheBeginning) {
   EXPECT_EQ(violations(judgedKnot({.way = 0.005})),
             Sentences{"the knot came 5.0 mm nearer to its target, at least 10.0 mm wanted"});
 }
@@ -103,17 +103,17 @@ TEST(KnotJudge, SeesSightingsThatAreFiveMillimetresOff) {
                       "allowed"});
 }
 
-TEST(KnotJudge, SeesAKnotThatWasSeenHalfOfTheTime) {
+TEST(KnotJudge, SeesAKnotThatWasOftenUnseen) {
   EXPECT_EQ(violations(judgedKnot({.unseenOfTen = 5})),
             Sentences{"the cameras saw the knot 50 % of the guided time, at least 90 % wanted"});
 }
 
-TEST(KnotJudge, SeesAKnotThatIsNotGuidedAtTheEnd) {
+TEST(KnotJudge, SeesAKnotUnguidedAtTheEnd) {
   EXPECT_EQ(violations(judgedKnot({.guidedTo = 5})),
             Sentences{"the knot was guided for 0 % of the last half second, at least 50 % wanted"});
 }
 
-TEST(KnotJudge, ToleratesAGuideThatEndsJustBeforeTheRecorder) {
+TEST(KnotJudge, ToleratesAGuideThatEndsFirst) {
   EXPECT_EQ(violations(judgedKnot({.guidedTo = 5.9})), Sentences{});
 }
 
@@ -123,7 +123,7 @@ TEST(KnotJudge, CountsFromWhenGuidingBegan) {
   EXPECT_EQ(judgement.rows, 200u);
 }
 
-TEST(KnotJudge, NamesNothingButThatTheKnotWasNeverGuided) {
+TEST(KnotJudge, NamesOnlyThatNobodyGuided) {
   const Sentences never{"the knot was never guided"};
   EXPECT_EQ(violations(judgeKnot({}, kKnotTarget)), never) << "there are no rows";
   EXPECT_EQ(violations(judgedKnot({.aside = 0.002, .guidedTo = 0})), never);

@@ -79,7 +79,7 @@ class KnotRecordingTest : public testing::Test {
   }
 };
 
-TEST_F(KnotRecordingTest, ReadsBackEachFieldToTheLastBit) {
+TEST_F(KnotRecordingTest, ReadsBackEachFieldExactly) {
   KnotRow unseen = someKnotRow();
   unseen.sighting = {};
   unseen.guiding = false;
@@ -90,13 +90,13 @@ TEST_F(KnotRecordingTest, ReadsBackEachFieldToTheLastBit) {
   expectEqual(rows[1], unseen);
 }
 
-TEST_F(KnotRecordingTest, FindsTheKnotInTheMiddleOfTheStrand) {
+TEST_F(KnotRecordingTest, FindsTheKnotInTheStrand) {
   KnotRow row;
   row.strand.nodes.col(30) = Vector3d(1, 2, 3);
   EXPECT_EQ(row.knot(), Vector3d(1, 2, 3));
 }
 
-TEST_F(KnotRecordingTest, NamesFileAndLineWhereItIsCut) {
+TEST_F(KnotRecordingTest, NamesTheLineOfACut) {
   record({someKnotRow(), someKnotRow()});
   std::filesystem::resize_file(file_, std::filesystem::file_size(file_) * 3 / 4);
   const std::string refused = suture::refusal([&] { readKnotRecording(file_); });

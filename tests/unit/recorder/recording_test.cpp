@@ -113,7 +113,7 @@ TEST_F(RecordingTest, IsReadWhileItIsWritten) {
   EXPECT_TRUE(reader.rest().arm.empty());
 }
 
-TEST_F(RecordingTest, NamesFileAndLineOfABrokenRecording) {
+TEST_F(RecordingTest, NamesTheLineOfABreak) {
   {
     RecordingWriter<Record> writer(file_, kRecords);
     begin(writer);
@@ -139,7 +139,7 @@ TEST_F(RecordingTest, CountsWhatTheDiskDoesNotTake) {
   EXPECT_TRUE(suture::eventually([&] { return writer.lost() == 4; })) << "and what comes later";
 }
 
-TEST_F(RecordingTest, CountsAndTellsWhatComesOnceItsFileIsRemoved) {
+TEST_F(RecordingTest, CountsWhatARemovedFileMisses) {
   testing::internal::CaptureStderr();
   {
     RecordingWriter<Record> writer(file_, kRecords);
@@ -172,7 +172,7 @@ TEST_F(RecordingTest, SaysHowManyRowsItLacks) {
   EXPECT_EQ(recording.lost, 3u);
 }
 
-TEST_F(RecordingTest, AnEarlierRecordingStaysUntilThisOneBegins) {
+TEST_F(RecordingTest, AnEarlierRecordingStaysAtFirst) {
   std::ofstream(file_) << "kept\n";
   { RecordingWriter<Record> refused(file_, kRecords); }
   {

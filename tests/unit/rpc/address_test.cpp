@@ -25,7 +25,7 @@ TEST(Address, ParsesWhatItPrints) {
   EXPECT_EQ(Address::parse("tcp://localhost:1").text(), "tcp://127.0.0.1:1");
 }
 
-TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
+TEST(Address, EveryRefusalNamesItsReason) {
   const std::pair<std::string, std::string> cases[] = {
       {"manager:7700", "it begins with neither unix:, tls:// nor tcp://. Write unix:/path"},
       {"unix:", "it has no path. Write unix:/path/to/socket."},
@@ -56,7 +56,7 @@ TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
   }
 }
 
-TEST(Address, ATooLongSocketPathIsAnError) {
+TEST(Address, ATooLongPathIsAnError) {
   const std::string error = errorOf("unix:/" + std::string(107, 'x'));
   EXPECT_NE(error.find("its path has 108 characters and a socket's may have 107. Choose a shorter "
                        "directory"),
@@ -65,7 +65,7 @@ TEST(Address, ATooLongSocketPathIsAnError) {
   EXPECT_TRUE(errorOf("unix:/" + std::string(106, 'x')).starts_with("accepted"));
 }
 
-TEST(Address, AJoinedPathMustFitASocketToo) {
+TEST(Address, AJoinedPathMustFitToo) {
   Address address;
   address.path = "/" + std::string(106, 'x');
   const SocketAddress place(address);
@@ -104,7 +104,7 @@ TEST(Addresses, AreOneOrSeveral) {
   EXPECT_EQ(both[1].text(), "tls://10.0.0.2:7701");
 }
 
-TEST(Addresses, AListWithANonAddressIsRefused) {
+TEST(Addresses, EveryListedAddressIsChecked) {
   for (const std::string text : {"", ",", "unix:/a,", ",unix:/a", "unix:/a,/b"}) {
     EXPECT_NE(errorOfAll(text).find("begins with neither"), std::string::npos) << text;
   }

@@ -69,7 +69,7 @@ TEST(ControlThread, RunEndsAtItsDeadlineAndCancels) {
   EXPECT_TRUE(*cancelled);
 }
 
-TEST(ControlThread, RunOnTheControlThreadItselfIsRefused) {
+TEST(ControlThread, RunOnItselfIsRefused) {
   ControlThread control;
   EXPECT_THROW(control.run(kPatience, [&control] { control.run(kPatience, [] {}); }),
                ControlFailure);
@@ -92,7 +92,7 @@ TEST(ControlThread, EndingFailsWhatWaits) {
   waiter.join();
 }
 
-TEST(ControlThread, PostedWorkRunsInOrderFromManyThreads) {
+TEST(ControlThread, PostedWorkRunsInOrder) {
   ControlThread control;
   constexpr int kThreads = 4, kPosts = 1000;
   std::vector<int> last(kThreads, -1);
@@ -115,7 +115,7 @@ TEST(ControlThread, PostedWorkRunsInOrderFromManyThreads) {
   EXPECT_EQ(last, std::vector<int>(kThreads, kPosts - 1));
 }
 
-TEST(ControlThread, WorkThatThrowsDoesNotEndTheThread) {
+TEST(ControlThread, ThrowingWorkKeepsTheThread) {
   ControlThread control;
   control.post([] { throw std::runtime_error("expected in this test"); });
   EXPECT_EQ(control.run(kPatience, [] { return 1; }), 1);

@@ -40,7 +40,7 @@ TEST(Encoding, ADecodedValueEqualsWhatWasEncoded) {
   EXPECT_TRUE(back.valid);
 }
 
-TEST(Encoding, TheBytesAreAMessageOfTheLock) {
+TEST(Encoding, TheBytesFollowTheLock) {
   const Bytes bytes = *suture::encode(twoJoints());
   std::vector<capnp::word> words(bytes.size() / sizeof(capnp::word));
   std::memcpy(static_cast<void*>(words.data()), bytes.data(), bytes.size());
@@ -59,7 +59,7 @@ TEST(Encoding, ListsKeepTheirMemory) {
   EXPECT_EQ(state.position.data(), memory);
 }
 
-TEST(Encoding, WhatTheHeaderDoesNotAllowIsNotEncoded) {
+TEST(Encoding, AForbiddenValueIsNotEncoded) {
   JointState state;
   state.position.resize(9);
   EXPECT_EQ(suture::encode(state).error(), Errc::TooLarge);
@@ -67,7 +67,7 @@ TEST(Encoding, WhatTheHeaderDoesNotAllowIsNotEncoded) {
   EXPECT_EQ(suture::encode(state).error(), Errc::Invalid);
 }
 
-TEST(Encoding, WhatTheHeaderDoesNotAllowIsNotDecoded) {
+TEST(Encoding, AForbiddenValueIsNotDecoded) {
   const auto encoded = [](unsigned size, double value) {
     capnp::MallocMessageBuilder message;
     auto positions = message.initRoot<wire::JointState>().initPosition(size);
@@ -94,7 +94,7 @@ TEST(Encoding, BytesThatAreCutAreRefused) {
   EXPECT_EQ(suture::decode(longer, state).error(), Errc::Invalid);
 }
 
-TEST(Encoding, BytesOfAHostileWriterDoNoHarm) {
+TEST(Encoding, HostileBytesDoNoHarm) {
   const Bytes bytes = *suture::encode(twoJoints());
   for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
     Bytes other = bytes;

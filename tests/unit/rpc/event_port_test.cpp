@@ -29,7 +29,7 @@ kj::Promise<void> turns(unsigned count) {
   return kj::evalLater([count] { return turns(count - 1); });
 }
 
-TEST(EventPort, FlushesOnceWhenThereIsNothingElseToDo) {
+TEST(EventPort, FlushesOnceWhenIdle) {
   Port port;
   CountedOutput output;
   auto writes = turns(10).then([&] {
@@ -42,7 +42,7 @@ TEST(EventPort, FlushesOnceWhenThereIsNothingElseToDo) {
   EXPECT_EQ(output.flushes, 1u);
 }
 
-TEST(EventPort, FlushesInTheOrderInWhichItWasAsked) {
+TEST(EventPort, FlushesInTheOrderAsked) {
   struct Noted final : EventPort::Output {
     explicit Noted(std::vector<Noted*>& all) : order(all) {}
     void flush() override { order.push_back(this); }
@@ -57,7 +57,7 @@ TEST(EventPort, FlushesInTheOrderInWhichItWasAsked) {
   EXPECT_EQ(order, (std::vector<Noted*>{&first, &second}));
 }
 
-TEST(EventPort, FlushesAfterTheWorkThatOthersHandOver) {
+TEST(EventPort, FlushesAfterOthersWork) {
   Port port;
   CountedOutput output;
   auto gate = kj::newPromiseAndFulfiller<void>();

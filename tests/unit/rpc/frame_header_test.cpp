@@ -12,7 +12,7 @@ std::vector<std::byte> header(std::initializer_list<std::uint32_t> words) {
   return bytes;
 }
 
-TEST(FrameHeader, NeedsMoreUntilTheWholeTableIsThere) {
+TEST(FrameHeader, NeedsTheWholeTable) {
   const auto bytes = header({1, 3, 4, 0});
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     const auto parse = parseFrameHeader(std::span(bytes).first(size), {});
@@ -34,7 +34,7 @@ TEST(FrameHeader, RefusesACountThatWrapsToZero) {
   EXPECT_EQ(parseFrameHeader(std::span(bytes).first(4), {}).fault, FrameFault::TooManySegments);
 }
 
-TEST(FrameHeader, AcceptsTheLimitOfSegmentsAndNotOneMore) {
+TEST(FrameHeader, AcceptsTheLimitOfSegments) {
   std::vector<std::byte> bytes(std::size_t{8} * 257);
   const auto count = [&](std::uint32_t segments) {
     const std::uint32_t word = segments - 1;
@@ -52,7 +52,7 @@ TEST(FrameHeader, AddsSizesWithoutWrapping) {
   EXPECT_EQ(parseFrameHeader(bytes, {}).fault, FrameFault::TooLong);
 }
 
-TEST(FrameHeader, AcceptsTheLimitOfBytesAndNotOneWordMore) {
+TEST(FrameHeader, AcceptsTheLimitOfBytes) {
   StreamLimits limits;
   limits.messageBytes = 800;
   EXPECT_TRUE(parseFrameHeader(header({0, 99}), limits).header);

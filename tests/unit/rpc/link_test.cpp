@@ -60,7 +60,7 @@ TEST_P(LinkTest, AFailureArrivesAsItsTextAlone) {
   }
 }
 
-TEST_P(LinkTest, AMessageMayBeLargerThanItsRoom) {
+TEST_P(LinkTest, AMessageMayExceedItsRoom) {
   serve();
   auto link = connect();
   auto client = link->bootstrap<Echo>();
@@ -78,7 +78,7 @@ TEST_P(LinkTest, AMessageMayBeLargerThanItsRoom) {
   }
 }
 
-TEST_P(LinkTest, APeerThatClosesEndsCallsAndTheLink) {
+TEST_P(LinkTest, AClosingPeerEndsItsCalls) {
   serve();
   auto link = connect();
   auto client = link->bootstrap<Echo>();
@@ -90,7 +90,7 @@ TEST_P(LinkTest, APeerThatClosesEndsCallsAndTheLink) {
   EXPECT_THROW(echo(client, 1).wait(port_.scope()), kj::Exception);
 }
 
-TEST_P(LinkTest, AHostilePeerIsCutOffAndOthersAreServed) {
+TEST_P(LinkTest, AHostilePeerHurtsNoOthers) {
   serve();
   auto link = connect();
   auto client = link->bootstrap<Echo>();
@@ -204,7 +204,7 @@ TEST_P(LinkTest, AStrangersMessagesAreSmall) {
 }
 
 // All peers of plain TCP share one budget, as do all processes of one user.
-TEST_P(LinkTest, UnfinishedMessagesOfAPeerAreBoundedInSum) {
+TEST_P(LinkTest, UnfinishedMessagesAreBoundedInSum) {
   serve(8);
   auto known = connect();
   auto client = known->bootstrap<Echo>();

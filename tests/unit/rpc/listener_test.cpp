@@ -96,7 +96,7 @@ std::string toldWhenRefused(const Address& address, int error) {
 }
 
 // A rule of a firewall, or a network that goes down, refuses for a while.
-TEST_P(ListenerTest, AServerComesBackWhateverTheKernelRefuses) {
+TEST_P(ListenerTest, AServerOutlivesTheKernelsRefusals) {
   const std::string wait = ": wait until this process can accept connections again: ";
   const std::pair<int, std::string> cases[] = {
       {EPERM, "Operation not permitted. Look what keeps this machine from it: its network, a"},
@@ -112,7 +112,7 @@ TEST_P(ListenerTest, AServerComesBackWhateverTheKernelRefuses) {
   }
 }
 
-TEST(Listener, APlainFileAtTheAddressIsAnError) {
+TEST(Listener, APlainFileIsAnError) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("s");
   std::ofstream(path) << "somebody's notes";

@@ -122,14 +122,14 @@ TEST_F(MessageStreamTest, RefusesText) {
   EXPECT_EQ(nextFault(), toString(FrameFault::TooManySegments));
 }
 
-TEST_F(MessageStreamTest, RefusesAHugeLengthWithoutWaitingForIt) {
+TEST_F(MessageStreamTest, RefusesAHugeLengthAtOnce) {
   open();
   const std::uint32_t words[2] = {0, 0xffffffff};
   sendAll(peer_, std::as_bytes(std::span(words)));
   EXPECT_EQ(nextFault(), toString(FrameFault::TooLong));
 }
 
-TEST_F(MessageStreamTest, EveryRandomStartIsRefusedOrEndsAtItsDeadline) {
+TEST_F(MessageStreamTest, EveryRandomStartEndsInTime) {
   std::uint64_t state = 42;
   for (int round = 0; round < 200; ++round) {
     open({.partialMilliseconds = 1, .firstMilliseconds = 1});
@@ -146,13 +146,13 @@ TEST_F(MessageStreamTest, EveryRandomStartIsRefusedOrEndsAtItsDeadline) {
   }
 }
 
-TEST_F(MessageStreamTest, HalfAHeaderHeldOpenEndsAtTheDeadline) {
+TEST_F(MessageStreamTest, HalfAHeaderEndsAtTheDeadline) {
   open({.partialMilliseconds = 20, .firstMilliseconds = 0});
   sendAll(peer_, std::vector(2, std::byte{0}));
   EXPECT_EQ(nextFault(), kUnfinished);
 }
 
-TEST_F(MessageStreamTest, AHeaderWithoutItsBodyEndsAtTheDeadline) {
+TEST_F(MessageStreamTest, AMissingBodyEndsAtTheDeadline) {
   open({.partialMilliseconds = 20, .firstMilliseconds = 0});
   sendAll(peer_, blobFrame(8));
   EXPECT_EQ(nextBlob(), 8);
@@ -161,12 +161,12 @@ TEST_F(MessageStreamTest, AHeaderWithoutItsBodyEndsAtTheDeadline) {
   EXPECT_EQ(nextFault(), kUnfinished);
 }
 
-TEST_F(MessageStreamTest, ASilentConnectionEndsAtTheFirstMessageDeadline) {
+TEST_F(MessageStreamTest, SilenceEndsAtTheFirstMessageDeadline) {
   open({.firstMilliseconds = 20});
   EXPECT_EQ(nextFault(), kSilent);
 }
 
-TEST_F(MessageStreamTest, AnIdleConnectionMayStaySilentForEver) {
+TEST_F(MessageStreamTest, AnIdleConnectionMayStaySilent) {
   open({.partialMilliseconds = 1, .firstMilliseconds = 1});
   sendAll(peer_, blobFrame(8));
   EXPECT_EQ(nextBlob(), 8);
@@ -245,7 +245,7 @@ TEST_F(MessageStreamTest, ALargeMessageArrivesWhole) {
 }
 
 // Wherever one receive ends: in a header, in a long message, or behind it.
-TEST_F(MessageStreamTest, ShortMessagesArriveBeforeAndBehindALongOne) {
+TEST_F(MessageStreamTest, ShortMessagesArriveAroundALongOne) {
   for (const std::size_t piece : {7, 4'099, 65'537, 1'000'000}) {
     open();
     std::vector<std::byte> bytes;
@@ -264,7 +264,7 @@ TEST_F(MessageStreamTest, ShortMessagesArriveBeforeAndBehindALongOne) {
   }
 }
 
-TEST_F(MessageStreamTest, ALongMessageTakesNoMemoryBeforeItArrives) {
+TEST_F(MessageStreamTest, ALongMessageTakesNoEarlyMemory) {
   constexpr std::uint32_t kWords = (15u << 20) / sizeof(capnp::word);
   std::vector<kj::AutoCloseFd> peers;
   std::vector<kj::Own<MessageStream>> streams;
@@ -282,7 +282,7 @@ TEST_F(MessageStreamTest, ALongMessageTakesNoMemoryBeforeItArrives) {
   EXPECT_LT(residentBytes(), before + (8u << 20));
 }
 
-TEST_F(MessageStreamTest, PartsOfAMessageCountAgainstTheBound) {
+TEST_F(MessageStreamTest, AMessagesPartsCountForTheBound) {
   openBounded(100'000);
   auto reading = read();  // it waits: from here on each read knows that the peer has not closed
   EXPECT_FALSE(reading.poll(port_.scope()));
@@ -296,7 +296,7 @@ TEST_F(MessageStreamTest, PartsOfAMessageCountAgainstTheBound) {
       << fault;
 }
 
-TEST_F(MessageStreamTest, AMessageThatHasComeWholeCountsNoMore) {
+TEST_F(MessageStreamTest, AWholeMessageCountsNoMore) {
   openBounded(100'000);
   sendAll(peer_, blobFrame(90'000));
   EXPECT_EQ(nextBlob(), 90'000);
@@ -383,7 +383,7 @@ TEST_F(MessageStreamTest, AStuckPeersCostIsBounded) {
   }
 }
 
-TEST_F(MessageStreamTest, AStuckStrangersCostIsBoundedUntilItIsKnown) {
+TEST_F(MessageStreamTest, AStuckStrangersCostIsBounded) {
   capnp::MallocMessageBuilder message;
   message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(15 << 10);
   for (const bool becomesKnown : {false, true}) {
@@ -399,7 +399,7 @@ TEST_F(MessageStreamTest, AStuckStrangersCostIsBoundedUntilItIsKnown) {
 }
 
 // A peer that says it is done keeps its link open until all is sent, so it could keep it for ever.
-TEST_F(MessageStreamTest, AStuckPeerDoesNotHoldUpTheEnd) {
+TEST_F(MessageStreamTest, AStuckPeerDelaysNoEnd) {
   open({.drainMilliseconds = 20});
   capnp::MallocMessageBuilder message;
   message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(2 << 20);
@@ -413,7 +413,7 @@ TEST_F(MessageStreamTest, AStuckPeerDoesNotHoldUpTheEnd) {
 }
 
 // The stream needs a descriptor to learn when a full socket takes bytes again.
-TEST_F(MessageStreamTest, AFullSocketWithoutADescriptorEndsNothingElse) {
+TEST_F(MessageStreamTest, AFullSocketEndsNothingElse) {
 #if defined(SUTURE_ADDRESS_SANITIZER)
   GTEST_SKIP() << "UBSan itself takes a descriptor to look at an object";
 #endif
@@ -431,7 +431,7 @@ TEST_F(MessageStreamTest, AFullSocketWithoutADescriptorEndsNothingElse) {
   EXPECT_TRUE(contains(failure, "Too many open files")) << failure;
 }
 
-TEST_F(MessageStreamTest, APeerThatOnlyStopsReadingIsGone) {
+TEST_F(MessageStreamTest, APeerThatStopsReadingIsGone) {
   open();
   auto reading = bounded(read());
   shutdown(peer_, SHUT_RD);

@@ -97,7 +97,7 @@ class SecureLinkTest : public testing::Test {
   kj::Own<LinkServer> server_;
 };
 
-TEST_F(SecureLinkTest, WhoSpeaksNoTlsIsNotAwaitedForever) {
+TEST_F(SecureLinkTest, APeerWithoutTlsIsNotAwaited) {
   auto pair = makeSocketPair();
   const std::string error = refusal([&] {
     handshake(port_, kj::mv(pair.ours), trustOf("client").keys, tls::Session::Side::Client,
@@ -152,7 +152,7 @@ TEST_F(SecureLinkTest, AnotherSystemsCertificateGetsNoLink) {
   EXPECT_EQ(last_.process, "") << "nothing was offered to it";
 }
 
-TEST_F(SecureLinkTest, APlainClientAtATlsPortIsToldSo) {
+TEST_F(SecureLinkTest, ATlsPortTellsAPlainClient) {
   serveTls();
   auto link = linkOn(dialServer());
   const std::string fault = callFault(*link);
@@ -160,7 +160,7 @@ TEST_F(SecureLinkTest, APlainClientAtATlsPortIsToldSo) {
   EXPECT_EQ(echoed(*connect(trustOf("client")), 1), 1u) << "and others are served";
 }
 
-TEST_F(SecureLinkTest, ATlsClientAtAPlainPortIsToldSo) {
+TEST_F(SecureLinkTest, APlainPortTellsATlsClient) {
   serve("tcp://127.0.0.1:0", {});
   Address address = server_->address();
   address.kind = Address::Kind::Tls;
@@ -168,7 +168,7 @@ TEST_F(SecureLinkTest, ATlsClientAtAPlainPortIsToldSo) {
   EXPECT_TRUE(contains(fault, "it does not speak TLS")) << fault;
 }
 
-TEST_F(SecureLinkTest, GarbageAtATlsPortHurtsNoOther) {
+TEST_F(SecureLinkTest, GarbageHurtsNoOther) {
   serveTls();
   auto link = connect(trustOf("client"));
   const std::string garbage[] = {std::string(64, '\xff'), std::string(64, '\0'),
@@ -182,7 +182,7 @@ TEST_F(SecureLinkTest, GarbageAtATlsPortHurtsNoOther) {
   }
 }
 
-TEST_F(SecureLinkTest, HalfAHandshakeHeldOpenEndsAtTheDeadline) {
+TEST_F(SecureLinkTest, HalfAHandshakeEndsInTime) {
   serveTls();
   kj::Vector<kj::AutoCloseFd> held;
   for (int i = 0; i < 3; ++i) {  // as many as there may be links
@@ -195,7 +195,7 @@ TEST_F(SecureLinkTest, HalfAHandshakeHeldOpenEndsAtTheDeadline) {
   EXPECT_EQ(echoed(*connect(trustOf("client")), 1), 1u) << "their places are free again";
 }
 
-TEST_F(SecureLinkTest, ASilentPeerIsClosedAfterTheHandshake) {
+TEST_F(SecureLinkTest, ASilentPeerIsClosedAfterHandshake) {
   knows_ = false;
   serveTls();
   auto link = connect(trustOf("client"));
@@ -221,7 +221,7 @@ TEST_F(SecureLinkTest, AKnownPeerStays) {
   EXPECT_EQ(last_.user, geteuid());
 }
 
-TEST_F(SecureLinkTest, AProcessOfAnotherUserHearsWhyItIsRefused) {
+TEST_F(SecureLinkTest, AnotherUserHearsTheReason) {
   if (geteuid() != 0) GTEST_SKIP() << "needs root, to be somebody else";
   for (const bool trusted : {false, true}) {
     serve(unixAddress(), {.keys = nullptr, .users = {trusted ? kNobody : kNobody - 1}});

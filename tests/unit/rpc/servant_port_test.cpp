@@ -179,7 +179,7 @@ class SlowHearer final : public ArmEvents::Server {
   kj::Own<kj::PromiseFulfiller<void>>& answer_;
 };
 
-TEST(ServantPort, ASubscriberThatGoesLateEndsNoLaterSubscription) {
+TEST(ServantPort, ALateSubscriberEndsNoLaterSubscription) {
   ControlThread control;
   kj::Own<kj::PromiseFulfiller<void>> answer;
   int heard = 0;
@@ -207,7 +207,7 @@ TEST(ServantPort, ASubscriberThatGoesLateEndsNoLaterSubscription) {
 }
 
 // A command that a fault has rejected still waits in the mailbox.
-TEST(ServantPort, AFaultGivesNoLaterCommandACredit) {
+TEST(ServantPort, AFaultGivesNoLaterCredit) {
   ControlThread control;
   bool second = false, early = false;
   control.run(kPatience, [&] {

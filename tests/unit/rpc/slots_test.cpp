@@ -39,7 +39,7 @@ std::vector<std::vector<double>> numbersOf(const std::vector<Shelf>& shelves) {
 }
 
 /// A vector moves its elements to a larger place by a copy if their move may throw.
-TEST(Slots, AVectorOfWhatCannotBeCopiedGrowsAndShrinks) {
+TEST(Slots, AnUncopyableVectorGrowsAndShrinks) {
   const std::vector<std::vector<double>> stages[] = {{{1}}, {{2, 3}, {}, {4}}, {}, {{5}, {6, 7}}};
   std::vector<Shelf> loaded;
   for (const auto& numbers : stages) {
@@ -50,7 +50,7 @@ TEST(Slots, AVectorOfWhatCannotBeCopiedGrowsAndShrinks) {
   }
 }
 
-TEST(Slots, RoomForAVectorOfWhatCannotBeCopiedIsNoError) {
+TEST(Slots, RoomForUncopyableValuesIsNoError) {
   std::vector<Shelf> value = shelvesOf({{1}});
   reserveFor<BoundedList<ShelfSlot, 3>>(value);
   EXPECT_EQ(numbersOf(value), (std::vector<std::vector<double>>{{1}}));

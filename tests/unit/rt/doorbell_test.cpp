@@ -49,7 +49,7 @@ TEST(Doorbell, SharingItWhileTheOwnerSleepsWorks) {
   }
 }
 
-TEST(Doorbell, OneThatIsSharedIsStillRungFromHere) {
+TEST(Doorbell, ASharedOneIsStillRung) {
   Doorbell bell(wordOfABell(), Doorbell::Sleeper::Here);
   AwaitsTwoRings sleeper(bell);
   bell.share();
@@ -84,7 +84,7 @@ class Looker {
 };
 
 // Another process may lose a ring, by accident or not; this one does not.
-TEST(Doorbell, ItsOwnerLooksAgainOnlyWhileAnotherProcessMayRing) {
+TEST(Doorbell, AnotherProcessKeepsItsOwnerLooking) {
   TestClock clock;
   Doorbell bell(wordOfABell(), Doorbell::Sleeper::Here);
   Looker sleeper(bell);

@@ -48,7 +48,7 @@ TEST(DueBells, RingsEachOnceAndOnlyWhenTold) {
 
 // A sleeper that wakes up and sleeps again before the end of the cycle is not rung twice for what
 // was added twice.
-TEST(DueBells, ABellThatIsAddedTwiceIsRungOnce) {
+TEST(DueBells, ABellAddedTwiceRingsOnce) {
   Sleeper sleeper, other;
   DueBells due;
   due.add(sleeper.bell);

@@ -47,7 +47,7 @@ class FullEventQueue : public testing::TestWithParam<Producers> {
 
 using Values = std::vector<std::uint64_t>;
 
-TEST_P(FullEventQueue, KeepsTheLastValueOfALatchedEvent) {
+TEST_P(FullEventQueue, KeepsTheLatchedValue) {
   EXPECT_TRUE(push(kLatched, 1));
   EXPECT_FALSE(push(kQueued, 1));
   EXPECT_TRUE(push(kLatched, 2));
@@ -59,7 +59,7 @@ TEST_P(FullEventQueue, KeepsTheLastValueOfALatchedEvent) {
 }
 
 // There is room in the ring again, but what was kept is older.
-TEST_P(FullEventQueue, KeepsTheOrderOfTheValuesItHolds) {
+TEST_P(FullEventQueue, KeepsTheOrderOfItsValues) {
   EXPECT_TRUE(push(kLatched, 1));
   ASSERT_NE(queue.next(), nullptr);
   queue.pop();
@@ -70,7 +70,7 @@ TEST_P(FullEventQueue, KeepsTheOrderOfTheValuesItHolds) {
   EXPECT_EQ(heard(), (Values{3, 4}));
 }
 
-TEST_P(FullEventQueue, KeepsWhatWaitedFromASubscriberThatBeginsAnew) {
+TEST_P(FullEventQueue, KeepsWhatWaitedFromANewSubscriber) {
   EXPECT_TRUE(push(kLatched, 1));
   queue.beginAnew(kLatched);
   EXPECT_EQ(heard(), Values{}) << "what was kept beside the queue";
@@ -150,7 +150,7 @@ TEST_P(LargeEvents, ComeInTheOrderOfAll) {
   EXPECT_FALSE(queue.pending());
 }
 
-TEST_P(LargeEvents, AreDroppedBeyondTheirDepthWithoutHarmToOthers) {
+TEST_P(LargeEvents, AreDroppedBeyondTheirDepth) {
   EXPECT_TRUE(push(kLargeOne, 1));
   EXPECT_TRUE(push(kLargeOne, 2));
   EXPECT_FALSE(push(kLargeOne, 3));
@@ -164,7 +164,7 @@ TEST_P(LargeEvents, AreDroppedBeyondTheirDepthWithoutHarmToOthers) {
 }
 
 // A cell that has found no place in the order is there for the next event.
-TEST_P(LargeEvents, AreDroppedWhileSmallOnesTakeAllPlaces) {
+TEST_P(LargeEvents, AreDroppedBehindManySmallOnes) {
   while (push(kSmallOne, 1)) continue;
   for (int i = 0; i < 5; ++i) EXPECT_FALSE(push(kLargeOne, 2));
   while (next() != Heard(0, -1)) continue;

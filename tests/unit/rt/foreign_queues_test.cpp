@@ -62,7 +62,7 @@ void expectUsed(const std::byte* slot, std::size_t size, std::uint32_t used) {
   }
 }
 
-TEST(ForeignMailbox, CopiesWhatIsUsedOfALargeList) {
+TEST(ForeignMailbox, CopiesTheUsedPartOfLargeLists) {
   Shared<Mailbox> mailbox(std::span<const CommandLimits>{kCommands});
   for (const std::uint16_t command : {1, 2}) {
     const std::uint32_t used = 5;
@@ -106,7 +106,7 @@ TEST(ForeignMailbox, SurvivesAnything) {
 }
 
 // This producer says that it has sent without end, and sends while it is drained.
-TEST(ForeignMailbox, ADrainEndsThoughTheProducerDoesNot) {
+TEST(ForeignMailbox, ADrainEndsBeforeItsProducer) {
   Shared<Mailbox> mailbox(std::span<const CommandLimits>{kCommands});
   send(*mailbox.producer, 0, 0);
   mailbox.consumer->fixCut();
@@ -132,7 +132,7 @@ const std::array<EventLimits, 5> kEvents = {
     EventLimits{.payloadSize = 24, .depth = 1, .latest = false, .latched = true, .levels = kList12},
     EventLimits{.payloadSize = kLarge, .depth = 2, .latest = false, .levels = kListOfLarge}};
 
-TEST(ForeignEventQueue, CopiesWhatIsUsedOfALargeList) {
+TEST(ForeignEventQueue, CopiesTheUsedPartOfLargeLists) {
   Shared<EventQueue> queue(std::span<const EventLimits>{kEvents}, Producers::One);
   for (const std::uint16_t event : {1, 3, 4}) {
     const std::uint32_t used = 7;

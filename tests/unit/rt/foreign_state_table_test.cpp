@@ -16,7 +16,7 @@ constexpr std::uint32_t kLarge = 600;
 constexpr BoundedLevel kListOfLarge[] = {
     {.size = 4, .data = 8, .stride = 1, .capacity = kLarge - 12}};
 
-TEST(ForeignStateTable, IsReadInAnotherProcessAndAskedThere) {
+TEST(ForeignStateTable, IsReadAndAskedByAnotherProcess) {
   const std::array<std::uint32_t, 2> sizes = {8, 24};
   StateTable table(sizes, 4);
   const auto asked = std::make_shared<std::atomic<ColumnSet>>(0);
@@ -38,7 +38,7 @@ TEST(ForeignStateTable, IsReadInAnotherProcessAndAskedThere) {
   EXPECT_EQ(view.rows(), 10u);
 }
 
-TEST(ForeignStateTable, CopiesWhatIsUsedOfALargeList) {
+TEST(ForeignStateTable, CopiesTheUsedPartOfLargeLists) {
   const std::array<std::uint32_t, 2> sizes = {12, kLarge};
   const std::array<BoundedLevels, 2> levels = {BoundedLevels{}, kListOfLarge};
   StateTable table(sizes, 4, 0, StateTable::Readers::Elsewhere, levels);

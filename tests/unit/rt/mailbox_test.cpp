@@ -72,7 +72,7 @@ TEST(Mailbox, HoldThenServoEndsInServo) {
   EXPECT_EQ(drain(mailbox), (std::vector<Executed>{{kHold, 0}, {kServoCp, 1}}));
 }
 
-TEST(Mailbox, NewestWinsCommandsRunInTheirLastOrder) {
+TEST(Mailbox, NewestWinsCommandsRunInOrder) {
   Mailbox mailbox(kCommands);
   send(mailbox, kServoCp, 1);
   send(mailbox, kServoJp, 2);
@@ -85,7 +85,7 @@ TEST(Mailbox, NewestWinsCommandsRunInTheirLastOrder) {
 }
 
 // The producer sends again while the drain is under way: what comes after the cut waits.
-TEST(Mailbox, CommandsAfterTheCutWaitForTheNextDrain) {
+TEST(Mailbox, CommandsAfterTheCutWait) {
   Mailbox mailbox(kCommands);
   send(mailbox, kServoCp, 1);
   send(mailbox, kHold);
@@ -102,7 +102,7 @@ TEST(Mailbox, CommandsAfterTheCutWaitForTheNextDrain) {
   EXPECT_FALSE(mailbox.pending());
 }
 
-TEST(Mailbox, FullIsToldAtOnceAndPerCommand) {
+TEST(Mailbox, FullIsToldPerCommand) {
   Mailbox mailbox(kCommands);
   for (int i = 0; i < 4; ++i) EXPECT_TRUE(send(mailbox, kHold));
   const auto refused = mailbox.claim(kHold, now(), 0);
@@ -115,7 +115,7 @@ TEST(Mailbox, FullIsToldAtOnceAndPerCommand) {
   EXPECT_TRUE(send(mailbox, kHold));
 }
 
-TEST(Mailbox, ACreditComesBackOnlyWhenItIsReturned) {
+TEST(Mailbox, OnlyAReturnedCreditComesBack) {
   Mailbox mailbox(kCommands);
   for (int i = 0; i < 4; ++i) send(mailbox, kHold);
   mailbox.fixCut();
@@ -135,7 +135,7 @@ TEST(Mailbox, AnAbandonedClaimCostsNothing) {
   EXPECT_EQ(mailbox.next()->sequence, 1u);
 }
 
-TEST(Mailbox, ANewestWinsCommandThatWantsAnAnswerIsQueued) {
+TEST(Mailbox, ANewestWinsCallIsQueued) {
   Mailbox mailbox(kCommands);
   EXPECT_TRUE(send(mailbox, kServoCp, 1, 17));
   EXPECT_TRUE(send(mailbox, kServoCp, 2));
@@ -145,7 +145,7 @@ TEST(Mailbox, ANewestWinsCommandThatWantsAnAnswerIsQueued) {
 // The law of the mailbox with the producer racing the drain: what runs is in the order of sending,
 // nothing queued is lost, of each newest-wins command the last one sent runs last, and each that
 // does not run is counted.
-TEST(Mailbox, OrderHoldsWithTheProducerRacingTheDrain) {
+TEST(Mailbox, OrderHoldsInARace) {
   constexpr std::uint64_t kSent = 300'000;
   Mailbox mailbox(kCommands);
   std::vector<Executed> lastSent(4);

@@ -39,7 +39,7 @@ TEST(Arena, MeasuresWithoutTouchingWhatItMeasures) {
   EXPECT_LT(faults() - before, 100);  // it has 4,096 pages at least
 }
 
-TEST(MemoryBlock, OthersMayOnlyReadWhereItSaysSo) {
+TEST(MemoryBlock, OthersMayOnlyRead) {
   const MemoryBlock readable("test", 4096, MemoryBlock::Others::Read);
   EXPECT_THROW(MemoryBlock::open(readable.descriptor(), 4096, MemoryBlock::Others::Write),
                SetupError);
@@ -48,7 +48,7 @@ TEST(MemoryBlock, OthersMayOnlyReadWhereItSaysSo) {
   EXPECT_EQ(other->data()[0], std::byte{1});
 }
 
-TEST(MemoryBlock, AForeignBlockMustBeSealedAndLarge) {
+TEST(MemoryBlock, AForeignBlockMustBeSealed) {
   const MemoryBlock small("test", 4096);
   const auto refused = [](int descriptor, std::size_t size) {
     return refusal([&] { MemoryBlock::open(descriptor, size, MemoryBlock::Others::Read); });
@@ -63,7 +63,7 @@ TEST(MemoryBlock, AForeignBlockMustBeSealedAndLarge) {
   EXPECT_TRUE(contains(refused(0, 1), "it is no sealed memory"));
 }
 
-TEST(MemoryBlock, WhatTheKernelDoesNotGiveIsNamed) {
+TEST(MemoryBlock, AKernelsDenialIsNamed) {
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
   const rlimit none{0, before.rlim_max};

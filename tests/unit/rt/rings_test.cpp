@@ -22,7 +22,7 @@ std::uint64_t readNumber(const std::byte* memory) {
   return number;
 }
 
-TEST(SpscRing, HoldsAllThatWasPromisedAndThenRefuses) {
+TEST(SpscRing, HoldsAllThatWasPromised) {
   SpscRing ring(10 * SpscRing::recordSize(40), 40);
   int accepted = 0;
   while (ring.claim(40) != nullptr) {
@@ -56,7 +56,7 @@ void fillAtEachPlace(std::size_t promised, std::size_t largest) {
   }
 }
 
-TEST(SpscRing, HasRoomForWhatWasPromisedAtEachPlace) {
+TEST(SpscRing, HasThePromisedRoomEverywhere) {
   fillAtEachPlace(176, 72);  // with one of the largest, just a power of two
   fillAtEachPlace(256, 72);  // a power of two by itself
 }

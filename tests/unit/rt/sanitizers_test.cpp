@@ -10,7 +10,7 @@ namespace {
 
 bool isLinked(const char* symbol) { return dlsym(RTLD_DEFAULT, symbol) != nullptr; }
 
-TEST(Sanitizers, AreKnownToTheFilesThatTheyCompile) {
+TEST(Sanitizers, AreKnownToTheirFiles) {
 #ifdef SUTURE_THREAD_SANITIZER
   EXPECT_TRUE(isLinked("__tsan_init"));
 #else

@@ -29,7 +29,7 @@ int someProcessor() {
   return processor;
 }
 
-TEST(Scheduling, AskingForASliceLeavesPolicyAndNicenessAlone) {
+TEST(Scheduling, ASliceLeavesPolicyAndNiceness) {
   inThread([] {
     ASSERT_EQ(setpriority(PRIO_PROCESS, 0, 7), 0);  // of this thread alone
     askForSlice(kTaskSlice);
@@ -44,7 +44,7 @@ TEST(Scheduling, AskingForASliceLeavesPolicyAndNicenessAlone) {
   });
 }
 
-TEST(Scheduling, AThreadIsPinnedWhereItWasTold) {
+TEST(Scheduling, AThreadIsPinnedAsTold) {
   inThread([] {
     configureThisThread("a name longer than the kernel keeps", {.processor = someProcessor()});
     EXPECT_EQ(sched_getcpu(), someProcessor());
@@ -54,7 +54,7 @@ TEST(Scheduling, AThreadIsPinnedWhereItWasTold) {
   });
 }
 
-TEST(Scheduling, AProcessorThatIsNotThereIsRefused) {
+TEST(Scheduling, AnAbsentProcessorIsRefused) {
   inThread([] { EXPECT_THROW(configureThisThread("far", {.processor = 1000}), SetupError); });
 }
 
@@ -74,7 +74,7 @@ TEST(Scheduling, ARefusedWishLeavesTheOthers) {
             "Give one from 1 to 99");
 }
 
-TEST(Scheduling, WithoutTheRightToAPriorityTellsHowToGetIt) {
+TEST(Scheduling, AMissingRightTellsItsRemedy) {
   inThread([] {
     refuseCall(SYS_sched_setscheduler, EPERM);
     EXPECT_EQ(refusal([] {
@@ -85,7 +85,7 @@ TEST(Scheduling, WithoutTheRightToAPriorityTellsHowToGetIt) {
   });
 }
 
-TEST(Scheduling, AskingWhatIsGrantedLeavesTheThreadThatAsksAlone) {
+TEST(Scheduling, AskingLeavesTheAskersThreadAlone) {
   inThread([] {
     cpu_set_t before, after;
     sched_getaffinity(0, sizeof(before), &before);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kSizes[] = {120, 4, 0};
 
-TEST(StateTable, SaysNotYetUntilAColumnHasBeenProduced) {
+TEST(StateTable, SaysNotYetBeforeTheFirstValue) {
   StateTable table(kSizes);
   std::array<std::byte, 120> slot;
   EXPECT_EQ(table.read(0, slot.data()).error(), Errc::NotYet);
@@ -73,7 +73,7 @@ Result<std::uint32_t> valueAt(const StateTable& table, std::int64_t nanoseconds)
   return value;
 }
 
-TEST(StateTable, FindsTheRowAtOrBeforeATime) {
+TEST(StateTable, FindsTheRowBefore) {
   StateTable table(kSizes, 8);
   for (std::uint32_t stamp = 10; stamp <= 50; stamp += 10) publish(table, stamp);
   EXPECT_EQ(valueAt(table, 10).value(), 10u);
@@ -94,7 +94,7 @@ TEST(StateTable, TellsNotYetFromNoMore) {
   EXPECT_EQ(valueAt(table, 29).value(), 20u);
 }
 
-TEST(StateTable, AColumnThatWasProducedLaterWasNotYet) {
+TEST(StateTable, ALaterColumnWasNotYetThere) {
   StateTable table(kSizes, 4);
   table.publish(fromNanoseconds(10), {.valid = 0b100});
   publish(table, 20);
@@ -102,7 +102,7 @@ TEST(StateTable, AColumnThatWasProducedLaterWasNotYet) {
   EXPECT_EQ(valueAt(table, 20).value(), 20u);
 }
 
-TEST(StateTable, AnEarlierStampCountsAsTheOneBefore) {
+TEST(StateTable, AnEarlierStampCountsAsOneBefore) {
   StateTable table(kSizes, 4);
   publish(table, 20);
   table.publish(fromNanoseconds(10), {.valid = 0b010});
@@ -110,7 +110,7 @@ TEST(StateTable, AnEarlierStampCountsAsTheOneBefore) {
   EXPECT_EQ(*table.read(1, reinterpret_cast<std::byte*>(&value)), fromNanoseconds(20));
 }
 
-TEST(StateTable, KeepsAsManyRowsAsItIsAskedTo) {
+TEST(StateTable, KeepsAsManyRowsAsAsked) {
   StateTable table(kSizes, 2);
   table.resize(100);
   EXPECT_EQ(table.capacity(), 128u);
@@ -136,7 +136,7 @@ class NoMoreDescriptors {
   rlimit before_{};
 };
 
-TEST(StateTable, IsAsItWasIfThereIsNoMemoryForMoreRows) {
+TEST(StateTable, MissingMemoryLeavesItUnchanged) {
   StateTable table(kSizes, 4);
   publish(table, 1);
   {
@@ -196,7 +196,7 @@ TEST(StateTable, ARowBeingStoredIsNotRead) {
   EXPECT_TRUE(table.readRowNumber(2, slots).hasValue(0));
 }
 
-TEST(StateTable, APartOfARowIsReadUntilItIsOverwritten) {
+TEST(StateTable, APartIsReadUntilOverwritten) {
   StateTable table(kSizes, 2);
   std::iota(reinterpret_cast<char*>(table.draft(0)), reinterpret_cast<char*>(table.draft(0)) + 120,
             char{0});
@@ -235,7 +235,7 @@ TEST(StateTable, RowsAreReadByNumber) {
 
 // A writer laps the ring all the time: what a reader of the past gets is whole and at or before the
 // time, or TooOld.
-TEST(StateTable, ThePastIsNeverTornUnderAFastWriter) {
+TEST(StateTable, AFastWriterTearsNoRow) {
   constexpr std::uint64_t kRows = 300'000;
   constexpr std::uint32_t kColumns[] = {128};
   StateTable table(kColumns, 64);

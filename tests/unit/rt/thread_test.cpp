@@ -29,7 +29,7 @@ class NoMoreThreads {
   pthread_attr_t before_{};
 };
 
-TEST(Thread, ARefusalOfTheKernelNamesItAndTheLimits) {
+TEST(Thread, AKernelsRefusalNamesTheLimits) {
   const NoMoreThreads none;
   Thread thread;
   const std::string text = refusal([&] { thread.start("Teleop", [] {}); });

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(Doorbell, ARingBeforeTheSleepIsNotLost) {
+TEST(Doorbell, AnEarlyRingIsNotLost) {
   Doorbell bell;
   bell.ring();
   EXPECT_EQ(bell.waitUntil(now() + kPatience), RungFor::Work);
@@ -45,7 +45,7 @@ TEST(Doorbell, WakesASleeper) {
   ringer.join();
 }
 
-TEST(Doorbell, WritesItsEventDescriptorOnlyForASleeper) {
+TEST(Doorbell, WritesItsDescriptorOnlyForASleeper) {
   const int descriptor = eventfd(0, EFD_NONBLOCK);
   Doorbell bell(descriptor);
   std::uint64_t count = 0;
@@ -88,7 +88,7 @@ TEST(Histogram, SharesAreWithinABucket) {
   EXPECT_EQ(histogram.shareUpTo(1ms), 1);
 }
 
-TEST(Histogram, KeepsItsSharesWhenABucketIsFull) {
+TEST(Histogram, AFullBucketKeepsTheShares) {
   Histogram histogram(1000);
   for (int i = 0; i < 40'000; ++i) histogram.record(i % 4 == 0 ? Duration(1ms) : Duration(1us));
   EXPECT_EQ(histogram.count(), 40'000u);

@@ -241,7 +241,7 @@ class BrokenNeighbour : public RemoteArm {
   void SetUp() override { begin(unixAddress()); }
 };
 
-TEST_F(BrokenClient, WatchesMoreThanItCanBeConnectedTo) {
+TEST_F(BrokenClient, WatchesTooMuch) {
   Client client(manager());
   client.greet();
   client.watch(1024);
@@ -279,7 +279,7 @@ TEST_F(BrokenClient, HasNamesWithoutEnd) {
   EXPECT_TRUE(contains(refusal([&] { client.watch(longer); }), "a name of 257 bytes"));
 }
 
-TEST_F(BrokenClient, AsksForASocketBeforeItSaysHello) {
+TEST_F(BrokenClient, AsksForASocketTooEarly) {
   Client client(manager());
   EXPECT_TRUE(contains(refusal([&] { client.openSocket(); }),
                        "a second connection is for whoever has said hello"));
@@ -301,13 +301,13 @@ TEST_F(BrokenClient, ShowsATokenOfItsOwn) {
       contains(refusal([&] { client.forge(); }), "nobody awaits a second connection there"));
 }
 
-TEST_F(BrokenClient, ConnectsOnASocketThatItHasNot) {
+TEST_F(BrokenClient, ConnectsOnAMissingSocket) {
   Client client(manager());
   client.greet();
   EXPECT_EQ(client.connect(77), "the session's calls have ended");
 }
 
-TEST_F(BrokenClient, AsksASocketForAConnectionThatItHasNot) {
+TEST_F(BrokenClient, AsksAboutAMissingConnection) {
   Client client(manager());
   client.greet();
   EXPECT_TRUE(contains(refusal([&] { client.askForContract(77); }),
@@ -324,7 +324,7 @@ TEST_F(BrokenClient, NeverLetsGoOfWhatItOpens) {
 }
 
 // The process ends what its client has, and what that awaits.
-TEST_F(BrokenClient, AwaitsAProcessThatLeavesBeforeItHasStarted) {
+TEST_F(BrokenClient, AwaitsAProcessThatLeavesEarly) {
   auto starting = std::make_unique<Manager>("starting", manager());
   starting->add("PSM", psmAgain);
   Client client(manager(), "starting");
@@ -336,7 +336,7 @@ TEST_F(BrokenClient, AwaitsAProcessThatLeavesBeforeItHasStarted) {
 }
 
 // What waits for the start of the process is given all at once.
-TEST_F(BrokenClient, OpensTooMuchBeforeTheProcessHasStarted) {
+TEST_F(BrokenClient, OpensTooMuchTooEarly) {
   Manager starting("starting", manager());
   Client client(manager(), "starting");
   client.greet();
@@ -357,7 +357,7 @@ TEST_F(BrokenNeighbour, ConnectsTooOftenAtTheSameTime) {
 }
 
 // A client that comes back to a process that is slow to start asks anew again and again.
-TEST_F(BrokenNeighbour, MayConnectAsOftenAsItGivesUp) {
+TEST_F(BrokenNeighbour, MayConnectAgainAfterGivingUp) {
   Client client(manager());
   client.greet();
   client.askForSharedArm(1024);
@@ -366,7 +366,7 @@ TEST_F(BrokenNeighbour, MayConnectAsOftenAsItGivesUp) {
 }
 
 // It has only the capability to let go of, which tells by itself that nobody uses the interface.
-TEST_F(BrokenClient, MayOpenAsOftenAsItLetsGo) {
+TEST_F(BrokenClient, MayOpenAgainAfterLettingGo) {
   Client client(manager());
   client.greet();
   for (int lap = 0; lap < 1100; ++lap) {
@@ -380,7 +380,7 @@ TEST_F(BrokenClient, MayOpenAsOftenAsItLetsGo) {
 
 // A client has many sockets, so that its last ping may come after the end of what it sent before.
 // Reports keep the sums of a client that has left.
-TEST_F(BrokenClient, IsReportedWhenItsLastPingComesAfterItsEnd) {
+TEST_F(BrokenClient, ALatePingIsReported) {
   {
     Client client(manager());
     client.greet();

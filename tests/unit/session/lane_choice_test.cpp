@@ -65,14 +65,14 @@ TEST_F(LaneChoice, TheNextSlowerLaneIsTaken) {
   EXPECT_EQ(channel()->terms.laneReason, "the two processes are not reached by a Unix socket");
 }
 
-TEST_F(LaneChoice, ADelayedConnectionTellsWhyItHasNoFasterLane) {
+TEST_F(LaneChoice, ADelayedConnectionExplainsItsLane) {
   begin(kTcp);
   EXPECT_EQ(refusalOf({.lane = Lane::Shm, .delay = {.commands = 1ms}}), "");
   EXPECT_EQ(channel()->lane, "frame+delay");
   EXPECT_EQ(channel()->terms.laneReason, "the two processes are not reached by a Unix socket");
 }
 
-TEST_F(LaneChoice, ARequiredLaneThatCannotBeHadIsAnError) {
+TEST_F(LaneChoice, AnImpossibleRequiredLaneIsAnError) {
   begin(kTcp);
   EXPECT_TRUE(contains(refusalOf({.lane = Lane::Shm, .laneRequired = true}),
                        "connecting console:Teleop/Slave -> robot:PSM/Arm: lane 'shm' is required "
@@ -96,7 +96,7 @@ TEST_F(LaneChoice, AnUnknownLaneIsAnError) {
 }
 
 // A wrong name is none that a wait could mend.
-TEST_F(LaneChoice, AnUnknownLaneIsToldBeforeItsProviderIsThere) {
+TEST_F(LaneChoice, AnUnknownLaneIsToldFirst) {
   begin(kTcp);
   const auto refused = refusal([&] {
     console->connect("Teleop/Slave", "nobody:PSM/Arm", {.lane = {"hope"}, .patience = 1ms});
@@ -104,7 +104,7 @@ TEST_F(LaneChoice, AnUnknownLaneIsToldBeforeItsProviderIsThere) {
   EXPECT_TRUE(contains(refused, "this process has no lane 'hope'")) << refused;
 }
 
-TEST_F(LaneChoice, ALaneThatOnlyOneProcessHasIsDeclined) {
+TEST_F(LaneChoice, ALaneOfOneProcessIsDeclined) {
   begin(kTcp);
   console->addLane(std::make_unique<HopefulLane>());
   EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}),
@@ -155,7 +155,7 @@ TEST_F(LaneChoice, ALaneToBeAddedIsAwaited) {
   EXPECT_TRUE(eventually([&] { return seeker.said() == "given"; })) << seeker.said();
 }
 
-TEST_F(LaneChoice, AnAbsentLaneIsRefusedAfterTheStart) {
+TEST_F(LaneChoice, AnAbsentLaneIsRefusedLater) {
   begin(kTcp);
   Manager starting("starting", manager());
   SocketSeeker seeker(manager(), "starting");
@@ -167,7 +167,7 @@ TEST_F(LaneChoice, AnAbsentLaneIsRefusedAfterTheStart) {
   })) << seeker.said();
 }
 
-TEST_F(LaneChoice, ALaneThatWasAddedIsNotChosenUnasked) {
+TEST_F(LaneChoice, AnAddedLaneMustBeAskedFor) {
   begin(kTcp);
   console->addLane(std::make_unique<HopefulLane>());
   EXPECT_EQ(refusalOf({}), "");

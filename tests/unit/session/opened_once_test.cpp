@@ -45,7 +45,7 @@ TEST_F(OpenedOnceTest, AllAskersGetTheSame) {
   EXPECT_EQ(openings_, 1);
 }
 
-TEST_F(OpenedOnceTest, AnAskerThatGivesUpDoesNotHurtOthers) {
+TEST_F(OpenedOnceTest, AnAskersEndHurtsNoOthers) {
   auto second = [this] {
     auto first = ask();
     return ask();
@@ -54,7 +54,7 @@ TEST_F(OpenedOnceTest, AnAskerThatGivesUpDoesNotHurtOthers) {
   EXPECT_NE(second.wait(port_.scope()), nullptr);
 }
 
-TEST_F(OpenedOnceTest, AFailureIsSharedAndTheNextTriesAgain) {
+TEST_F(OpenedOnceTest, AFailureIsSharedAndTriedAgain) {
   auto first = ask(), second = ask();
   let_->reject(rpc::failure(kj::Exception::Type::FAILED, "no such thing"));
   EXPECT_THROW(first.wait(port_.scope()), kj::Exception);

@@ -80,7 +80,7 @@ TEST_F(SecondSockets, OfAllSessionsAreBounded) {
 }
 
 // A lane of frames keeps only the latest socket of a session, and one that has connections.
-TEST_F(SecondSockets, TakeNoPlaceWhenTheirLaneHasDroppedThem) {
+TEST_F(SecondSockets, DroppedOnesTakeNoPlace) {
   SocketOpener client(manager());
   for (int i = 0; i < 1100; ++i) client.open("frame");
 }

@@ -73,7 +73,7 @@ TEST_P(Sharing, MoreConnectionsNeedNoMoreSockets) {
   EXPECT_EQ(outcomeOf(0.5), Errc{});
 }
 
-TEST_P(Sharing, OneThatIsTakenDownLeavesTheOthersAlone) {
+TEST_P(Sharing, TakingOneDownLeavesTheOthers) {
   beginWithOthers();
   connectOthers();
   console->disconnect("Teleop/Slave");
@@ -86,7 +86,7 @@ TEST_P(Sharing, OneThatIsTakenDownLeavesTheOthersAlone) {
 // The session stands, and no client connects anew. The test counts memory from before the first
 // connection, since descriptors that messages bring are open for a while longer than the connection
 // takes.
-TEST_P(Sharing, ThoseThatAreTakenDownGiveBackWhatTheyHeld) {
+TEST_P(Sharing, TakenDownOnesReturnWhatTheyHeld) {
   for (std::size_t i = 0; i < kMore; ++i) others.push_back(std::make_unique<Teleop>());
   beginAtAddress();
   const std::size_t without = openMemory();
@@ -101,7 +101,7 @@ TEST_P(Sharing, ThoseThatAreTakenDownGiveBackWhatTheyHeld) {
   EXPECT_EQ(outcomeOf(0.5), Errc{});
 }
 
-TEST_P(Sharing, TheLastConnectionTakesTheSessionWithIt) {
+TEST_P(Sharing, TheLastOneEndsItsSession) {
   beginAtAddress();
   const std::size_t without = openSockets();
   for (int lap = 0; lap < 3; ++lap) {
@@ -112,7 +112,7 @@ TEST_P(Sharing, TheLastConnectionTakesTheSessionWithIt) {
   }
 }
 
-TEST_P(Sharing, AllComeBackToASessionOfTheNextProcess) {
+TEST_P(Sharing, TheNextProcessGetsAllBack) {
   beginWithOthers();
   connectOthers();
   const std::size_t before = openSockets();

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kLongest = 107;  // of the path of a socket
 
-TEST(SocketPath, AProcessWhoseOwnWouldBeTooLongIsToldSo) {
+TEST(SocketPath, ATooLongOwnPathIsTold) {
   const TemporaryDirectory directory;
   const std::string tail = "/m.sock";
   const std::size_t room = kLongest - directory.path().string().size() - tail.size() - 1;

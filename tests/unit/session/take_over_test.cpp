@@ -84,7 +84,7 @@ std::string answerTo(const rpc::Address& robot, Socket socket) {
   });
 }
 
-TEST_F(TakeOver, IsNotForAnotherUserWhoGivesTheSameName) {
+TEST_F(TakeOver, AnotherUserCannotTakeTheName) {
   if (geteuid() != 0) GTEST_SKIP() << "needs root, to be somebody else";
   connect();
   const rpc::Address address = robotsAddress();

@@ -22,14 +22,14 @@ TEST_F(SharedConnections, CanBeDoneWithout) {
   EXPECT_EQ(channel()->terms.laneReason, "");
 }
 
-TEST_F(SharedConnections, OverTcpFallBackToFramesAndSayWhy) {
+TEST_F(SharedConnections, TcpFallsBackToFrames) {
   begin("tcp://127.0.0.1:0");
   connect(Lane::Shm);
   EXPECT_EQ(channel()->lane, "frame");
   EXPECT_EQ(channel()->terms.laneReason, "the two processes are not reached by a Unix socket");
 }
 
-TEST_F(SharedConnections, RefuseWhatIsOutOfRangeAndNoNumber) {
+TEST_F(SharedConnections, RefuseWhatIsOutOfRange) {
   begin(unixAddress());
   connect(Lane::Shm);
   expectArgumentsJudged();

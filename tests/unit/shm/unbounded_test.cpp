@@ -73,7 +73,7 @@ TEST_F(UnboundedRows, TravelByFramesWithoutTheirUnboundedColumns) {
   }));
 }
 
-TEST_F(UnboundedRows, AreNoReasonToCrashWhereSharedMemoryIsRequired) {
+TEST_F(UnboundedRows, RequiringSharedMemoryCrashesNothing) {
   EXPECT_TRUE(
       suture::contains(refusalOf({.lane = suture::Lane::Shm, .laneRequired = true}),
                        "lane 'shm' is required and cannot carry it: " + std::string(kReason)));

@@ -35,7 +35,7 @@ Strand pulled(double left, double right) {
   return strand;
 }
 
-TEST(Strand, HangsWithAPullThatCarriesItsWeight) {
+TEST(Strand, HangsByItsWeight) {
   const StrandModel model;
   Strand strand(model, kLeft, kRight);
   strand.advance(3);
@@ -55,14 +55,14 @@ TEST(Strand, BearsWhatIsPulledAtItsEnds) {
   EXPECT_NEAR(strand.rightTension(), 0.2, 1e-3);
 }
 
-TEST(Strand, IsNotDrawnThroughItsKnotByEqualPulls) {
+TEST(Strand, EqualPullsDoNotDrawItThrough) {
   for (const double force : {0.01, 0.1, 1.0, 3.0}) {
     EXPECT_NEAR(pulled(force, force).leftLength(), 0.055, 1e-9) << force << " N";
   }
 }
 
 // The law of the capstan is T1 / T2 = exp(mu phi), and holds here within 2 %.
-TEST(Strand, RunsThroughItsKnotBeyondTheRatioOfTheCapstan) {
+TEST(Strand, RunsThroughItsKnotBeyondTheRatio) {
   const double ratio = std::exp(0.15 * 9.42), weak = 0.1;
   EXPECT_NEAR(pulled(0.98 * ratio * weak, weak).leftLength(), 0.055, 1e-6);
   EXPECT_GT(pulled(1.02 * ratio * weak, weak).leftLength(), 0.055 + 1e-4);

@@ -24,7 +24,7 @@ constexpr suture::Duration kModelPeriod = 1ms;
 constexpr double kCycle = 0.001;  // s: the same
 constexpr CrossoverParameters kQuiet{.remnant = 0};
 
-TEST(CrossoverModel, MovesAtTheErrorThatWasSeenADelayAgo) {
+TEST(CrossoverModel, MovesAtTheDelayedError) {
   CrossoverModel model(kQuiet, kModelPeriod);
   suture::Time now{};
   for (int i = 0; i < 1000; ++i, now += kModelPeriod) {
@@ -34,7 +34,7 @@ TEST(CrossoverModel, MovesAtTheErrorThatWasSeenADelayAgo) {
   }
 }
 
-TEST(CrossoverModel, IsAnIntegratorOfTheDeclaredFrequencyAndDelay) {
+TEST(CrossoverModel, IsADelayedIntegrator) {
   for (const double frequency : {1.0, 3.0, 6.0}) {
     CrossoverModel model(kQuiet, kModelPeriod);
     suture::Time now{};
@@ -119,7 +119,7 @@ TEST(CrossoverModel, IsQuietWhereThereIsNoError) {
   }
 }
 
-TEST(CrossoverModel, DoesNotActOnWhatItHasForgotten) {
+TEST(CrossoverModel, ForgetsWhatItSaw) {
   CrossoverModel model(kQuiet, kModelPeriod);
   suture::Time now{};
   for (int i = 0; i < 300; ++i, now += kModelPeriod) model.rate(now, {1, 0, 0});

@@ -29,7 +29,7 @@ Vector6 velocity(const HandPath& path, double t) {
   return kinematics::poseError(path.at(t), path.at(t + kStep)) / kStep;
 }
 
-TEST(HandPath, StartsWhereItIsAtRestWithoutAcceleration) {
+TEST(HandPath, StartsAtRest) {
   const HandPath path(somewhere(), kShape);
   EXPECT_TRUE(path.at(0).isApprox(somewhere()));
   EXPECT_LT(velocity(path, 0).norm(), 1e-4);
@@ -62,7 +62,7 @@ TEST(HandPath, StaysWithinItsSpeedAndReach) {
 }
 
 // Elsewhere is as far from the centre as the path goes, and turned.
-TEST(HandPath, ComesBackToItsCentreWithoutAJump) {
+TEST(HandPath, ComesBackWithoutAJump) {
   Eigen::Isometry3d elsewhere = somewhere();
   elsewhere.translation() += Eigen::Vector3d(0.1, -0.08, 0.06);
   elsewhere.rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()));

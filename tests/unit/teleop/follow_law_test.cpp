@@ -23,7 +23,7 @@ Isometry3d randomPose(std::mt19937& random) {
   return pose;
 }
 
-TEST(FollowLaw, SlaveCopiesTheMasterFromIdentityAnchorsAtScaleOne) {
+TEST(FollowLaw, IdentityAnchorsCopyTheMaster) {
   std::mt19937 random(4);
   const FollowLaw law(Isometry3d::Identity(), Isometry3d::Identity(), {});
   for (int i = 0; i < 100; ++i) {
@@ -50,7 +50,7 @@ TEST(FollowLaw, ScalesTranslationAndNotRotation) {
   EXPECT_TRUE(slave.linear().isApprox(master.linear(), 1e-14));
 }
 
-TEST(FollowLaw, MovesTheSlaveTheSameWayWhateverTheAnchors) {
+TEST(FollowLaw, AnchorsDoNotChangeTheMotion) {
   std::mt19937 random(6);
   for (int i = 0; i < 1000; ++i) {
     const double scale = std::uniform_real_distribution(0.05, 2.0)(random);

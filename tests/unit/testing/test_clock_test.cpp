@@ -55,21 +55,21 @@ TEST(TestClock, IsTheOnlyOneOfItsProcess) {
   clock.advance(1ms);
 }
 
-TEST(TestClock, KeepsNoTraceUnlessItIsAskedTo) {
+TEST(TestClock, KeepsATraceOnlyOnRequest) {
   TestClock clock;
   EXPECT_EQ(refusal([&] { (void)clock.trace(); }),
             "reading the trace of a TestClock: it keeps none. Make it with "
             "TestClockOptions::traced");
 }
 
-TEST(TestClock, LeavesTheKernelsClockBehindWhenItEnds) {
+TEST(TestClock, LeavesTheKernelsClockBehind) {
   { TestClock clock; }
   EXPECT_EQ(virtualTime(), nullptr);
   const Time begin = now();
   EXPECT_GE(Clock::now(), begin);
 }
 
-TEST(TestClock, RunsAPeriodicTaskExactlyOncePerPeriod) {
+TEST(TestClock, RunsAPeriodicTaskEachPeriod) {
   TestClock clock;
   Counter counter(1ms);
   counter.start();
@@ -78,7 +78,7 @@ TEST(TestClock, RunsAPeriodicTaskExactlyOncePerPeriod) {
   EXPECT_EQ(counter.statistics().skipped, 0u);
 }
 
-TEST(TestClock, SkipsThePeriodsThatALongCycleTakes) {
+TEST(TestClock, SkipsPeriodsOfALongCycle) {
   TestClock clock;
   Counter counter(1ms, 2500us);
   counter.start();
@@ -99,7 +99,7 @@ struct Named final : PeriodicTask {
   std::vector<std::string>& all_;
 };
 
-TEST(TestClock, RunsThreadsInTheOrderOfTheirDeadlines) {
+TEST(TestClock, RunsThreadsByTheirDeadlines) {
   TestClock clock;
   std::vector<std::string> order;
   Named slow(3ms, "slow", order), fast(2ms, "fast", order);
@@ -109,7 +109,7 @@ TEST(TestClock, RunsThreadsInTheOrderOfTheirDeadlines) {
   EXPECT_THAT(order, testing::ElementsAre("fast", "slow", "fast", "slow", "fast"));
 }
 
-TEST(TestClock, HoldsTimeForAThreadOfTheTest) {
+TEST(TestClock, HoldsTimeForATestsThread) {
   TestClock clock;
   Counter counter(1ms);
   counter.start();
@@ -134,7 +134,7 @@ void leaveAThread() {
   clock.advance(1ms);
 }
 
-TEST(TestClockDeathTest, NamesThreadsThatAreLeftAtItsEnd) {
+TEST(TestClockDeathTest, NamesThreadsThatAreLeft) {
   EXPECT_DEATH(leaveAThread(), "'left over' sleeps for");
 }
 
@@ -188,7 +188,7 @@ TEST(TestClock, NamesAThreadThatDoesNotSleep) {
 }
 
 // Else a process that was stopped for long would go on in the order in which its threads began.
-TEST(TestClock, RunsThreadsThatAreLateInTheOrderOfTheirDeadlines) {
+TEST(TestClock, RunsLateThreadsByTheirDeadlines) {
   TestClock clock;
   std::vector<std::string> order;
   TestClock::Process process(clock);
@@ -269,7 +269,7 @@ int processors() {
   return CPU_COUNT(&allowed);
 }
 
-TEST(TestClock, KeepsThreadsThatTakeTurnsOnOneProcessor) {
+TEST(TestClock, KeepsTurnTakingThreadsOnOneProcessor) {
   const int before = processors();
   {
     TestClock clock;

@@ -187,7 +187,7 @@ struct SlowCaller final : PeriodicTask {
   Required<reference::ArmLike> arm{*this, "Arm"};
 };
 
-TEST(SteppedClock, TellsOfWorkWithoutARingWhileAnotherThreadWorks) {
+TEST(SteppedClock, TellsOfSilentWorkBesideAnotherThread) {
   std::vector<std::string> problems;
   TestClock clock({.problem = [&](const std::string& one) { problems.push_back(one); }});
   SleepingArm arm;
@@ -205,7 +205,7 @@ TEST(SteppedClock, TellsOfWorkWithoutARingWhileAnotherThreadWorks) {
   EXPECT_THAT(problems, testing::ElementsAre(testing::HasSubstr("which nobody had rung")));
 }
 
-TEST(SteppedClock, BearsWorkThatIsRungForAtTheEndOfACycle) {
+TEST(SteppedClock, BearsWorkThatEndsACycle) {
   std::vector<std::string> problems;
   TestClock clock({.problem = [&](const std::string& one) { problems.push_back(one); }});
   SleepingArm arm;
@@ -218,7 +218,7 @@ TEST(SteppedClock, BearsWorkThatIsRungForAtTheEndOfACycle) {
   EXPECT_TRUE(problems.empty()) << problems.front();
 }
 
-TEST_P(TwoManagers, DoTheSameInEachRunOfOneSeed) {
+TEST_P(TwoManagers, RepeatTheRunOfASeed) {
   const std::string first = toString(traceOf(GetParam(), 7));
   EXPECT_EQ(first, toString(traceOf(GetParam(), 7)));
   EXPECT_NE(first, toString(traceOf(GetParam(), 8)));

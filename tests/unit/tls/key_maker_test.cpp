@@ -45,7 +45,7 @@ TEST_F(KeyMaker, MakesWhatAProcessCanUse) {
   EXPECT_EQ(Keys(folder_, kManagerName).process(), kManagerName);
 }
 
-TEST_F(KeyMaker, KeysAndTheirFolderAreTheOwnersOnly) {
+TEST_F(KeyMaker, KeysBelongToTheOwnerOnly) {
   const mode_t before = umask(0);
   const auto made = makeKeys(folder_, {"left"});
   umask(before);
@@ -73,7 +73,7 @@ TEST_F(KeyMaker, OverwritesNothingAndThenMakesNothing) {
   EXPECT_FALSE(fs::exists(folder_ / "right.key"));
 }
 
-TEST_F(KeyMaker, LeavesNothingBehindWhenTheLastFileCannotBeWritten) {
+TEST_F(KeyMaker, AFailedWriteLeavesNothingBehind) {
   fs::create_directory(folder_);
   fs::permissions(folder_, fs::perms::owner_all);
   fs::create_symlink("/nonexistent/x", folder_ / "ca.crt");
@@ -100,7 +100,7 @@ TEST_F(KeyMaker, ACaWithoutItsKeyIsRefused) {
   EXPECT_TRUE(contains(error, "there is a CA (ca.crt) without its key")) << error;
 }
 
-TEST_F(KeyMaker, AFolderThatOthersCanEnterIsRefused) {
+TEST_F(KeyMaker, AFolderOthersEnterIsRefused) {
   fs::create_directory(folder_);
   fs::permissions(folder_, fs::perms::owner_all | fs::perms::group_exec);
   const std::string error = refusal([&] { makeKeys(folder_, {"left"}); });
@@ -119,7 +119,7 @@ TEST_F(KeyMaker, NamesThatAreNoFilesAreRefused) {
   EXPECT_FALSE(fs::exists(folder_));
 }
 
-TEST_F(KeyMaker, AKeyThatOthersCanReadIsNotUsed) {
+TEST_F(KeyMaker, AKeyOthersReadIsRefused) {
   makeKeys(folder_, {"left"});
   fs::permissions(folder_ / "left.key", fs::perms::group_read, fs::perm_options::add);
   const std::string error = refusedUse("left");
@@ -139,14 +139,14 @@ TEST_F(KeyMaker, AMissingOrBadKeyIsNamed) {
   EXPECT_TRUE(contains(error, "not that of the certificate beside it")) << error;
 }
 
-TEST_F(KeyMaker, TheCertificateOfAnotherProcessIsNotUsed) {
+TEST_F(KeyMaker, AnotherProcesssCertificateIsNotUsed) {
   makeKeys(folder_, {"left", "right"});
   fs::copy_file(folder_ / "right.crt", folder_ / "left.crt", fs::copy_options::overwrite_existing);
   const std::string error = refusedUse("left");
   EXPECT_TRUE(contains(error, "it is that of process 'right'")) << error;
 }
 
-TEST_F(KeyMaker, ABadOrNamelessCertificateIsNotUsed) {
+TEST_F(KeyMaker, ANamelessCertificateIsNotUsed) {
   makeKeys(folder_, {"left"});
   fs::copy_file(folder_ / "ca.crt", folder_ / "left.crt", fs::copy_options::overwrite_existing);
   std::string error = refusedUse("left");
@@ -157,7 +157,7 @@ TEST_F(KeyMaker, ABadOrNamelessCertificateIsNotUsed) {
       << error;
 }
 
-TEST_F(KeyMaker, ACertificateOfAnotherCaIsNotUsed) {
+TEST_F(KeyMaker, AnotherCasCertificateIsNotUsed) {
   makeKeys(folder_, {"left"});
   makeKeys(directory_.path() / "others", {"left"});
   fs::copy_file(directory_.path() / "others/ca.crt", folder_ / "ca.crt",
@@ -166,7 +166,7 @@ TEST_F(KeyMaker, ACertificateOfAnotherCaIsNotUsed) {
   EXPECT_TRUE(contains(error, "is not signed by this system's CA")) << error;
 }
 
-TEST_F(KeyMaker, ACertificateOutOfItsTimeIsNotUsed) {
+TEST_F(KeyMaker, AnUntimelyCertificateIsNotUsed) {
   makeKeys(folder_, {"left"}, {.from = -48h, .lasts = std::chrono::days(1)});
   std::string error = refusedUse("left");
   EXPECT_TRUE(contains(error, "expired at 2")) << error;
@@ -192,7 +192,7 @@ TEST_F(EndedCa, MakesNoKeys) {
   EXPECT_FALSE(fs::exists(folder_ / "right.crt"));
 }
 
-TEST_F(KeyMaker, ACertificateEndsNoLaterThanItsCa) {
+TEST_F(KeyMaker, ACertificateEndsWithItsCa) {
   makeKeys(folder_, {"left"}, {.lasts = std::chrono::days(100)}, {.lasts = std::chrono::days(10)});
   const auto end = [&](const char* file) { return endOf(readCertificate(folder_ / file).get()); };
   EXPECT_EQ(end("left.crt"), end("ca.crt"));
@@ -200,7 +200,7 @@ TEST_F(KeyMaker, ACertificateEndsNoLaterThanItsCa) {
   EXPECT_LT(end("right.crt"), end("ca.crt"));
 }
 
-TEST_F(KeyMaker, ACertificateThatEndsWithinAMonthSaysSo) {
+TEST_F(KeyMaker, AnEndingCertificateSaysSo) {
   makeKeys(folder_, {"left"});
   EXPECT_EQ(Keys(folder_, "left").warning(), "");
   makeKeys(folder_, {"right"}, {.lasts = std::chrono::days(29)});
@@ -210,7 +210,7 @@ TEST_F(KeyMaker, ACertificateThatEndsWithinAMonthSaysSo) {
   EXPECT_TRUE(contains(warning, "Before that, remove the certificate and its key")) << warning;
 }
 
-TEST_F(KeyMaker, ACaThatEndsWithinAMonthSaysSo) {
+TEST_F(KeyMaker, AnEndingCaSaysSo) {
   makeKeys(folder_, {"left"}, {}, {.lasts = std::chrono::days(29)});
   const std::string warning = Keys(folder_, "left").warning();
   const std::string file = (folder_ / "ca.crt").string();

@@ -122,7 +122,7 @@ struct Pair {
   std::string clientsVerdict, serversVerdict;
 };
 
-TEST_F(SessionTest, EachSideLearnsTheNameOfTheOther) {
+TEST_F(SessionTest, EachSideLearnsTheOthersName) {
   Pair pair(keys("left"), keys("right"));
   EXPECT_EQ(pair.clientsVerdict, "");
   EXPECT_EQ(pair.serversVerdict, "");
@@ -130,7 +130,7 @@ TEST_F(SessionTest, EachSideLearnsTheNameOfTheOther) {
   EXPECT_EQ(pair.server.peer(), "left");
 }
 
-TEST_F(SessionTest, BytesArriveAsTheyWereSentHoweverMany) {
+TEST_F(SessionTest, BytesArriveAsSent) {
   Pair pair(keys("left"), keys("right"));
   std::vector<std::byte> sent(3'000'000), received;
   for (std::size_t i = 0; i < sent.size(); ++i) sent[i] = static_cast<std::byte>(i * 31 % 251);
@@ -171,7 +171,7 @@ TEST_F(SessionTest, TheWireIsEncrypted) {
   EXPECT_FALSE(contains(std::string(wire, static_cast<std::size_t>(count)), "servo_cp"));
 }
 
-TEST_F(SessionTest, ABitThatChangesOnTheWayEndsTheSession) {
+TEST_F(SessionTest, AChangedBitEndsTheSession) {
   Pair pair(keys("left"), keys("right"));
   ASSERT_GT(pair.client.send(std::as_bytes(std::span("move", 4))), 0);
   char wire[4096];
@@ -198,14 +198,14 @@ TEST_F(SessionTest, AReplayedRecordEndsTheSession) {
   EXPECT_EQ(errno, EPROTO);
 }
 
-TEST_F(SessionTest, AClosedSocketIsNotTheEndOfTheData) {
+TEST_F(SessionTest, AClosedSocketIsNoEnd) {
   Pair pair(keys("left"), keys("right"));
   pair.sockets.closeEnd(0);
   std::byte into[16];
   EXPECT_EQ(pair.server.receive(into), -1) << "whoever can cut a cable could end a message";
 }
 
-TEST_F(SessionTest, AStrangerWithKeysOfThisSystemIsAccepted) {
+TEST_F(SessionTest, AStrangerWithOurKeysIsAccepted) {
   for (const Side side : {Side::Client, Side::Server}) {
     const Verdicts verdicts = meet(side, shown(ours_, "left"));
     EXPECT_EQ(verdicts.ours, "");
@@ -219,7 +219,7 @@ TEST_F(SessionTest, APeerNeedsACertificate) {
   EXPECT_TRUE(contains(verdicts.theirs, "certificate required")) << verdicts.theirs;
 }
 
-TEST_F(SessionTest, CertificatesThatDoNotHoldAreRefusedOnBothSides) {
+TEST_F(SessionTest, InvalidCertificatesAreRefusedOnBothSides) {
   const std::pair<Shown, const char*> cases[] = {
       {shown(theirs_, "left"), "is not signed by this system's CA"},
       {shown(theirs_, "ca"), "is not signed by this system's CA"},  // signed by itself
@@ -237,7 +237,7 @@ TEST_F(SessionTest, CertificatesThatDoNotHoldAreRefusedOnBothSides) {
 }
 
 // In TLS 1.3 the handshake of the client ends before the server has judged its certificate.
-TEST_F(SessionTest, AClientLearnsThatItsCertificateWasRefused) {
+TEST_F(SessionTest, AClientLearnsOfItsRefusal) {
   Stranger server(shown(ours_, "left"));
   server.trustNobody();
   Sockets sockets;

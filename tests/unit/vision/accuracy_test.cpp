@@ -124,7 +124,7 @@ TEST(Accuracy, DepthErrorsAreThoseOfTheDisparity) {
 
 // While pixels were painted with four samples, the knot scattered by 0.039 px, three quarters of
 // which came from its edges.
-TEST(Accuracy, AKnotScattersLittleMoreThanTheSensorsNoise) {
+TEST(Accuracy, AKnotScattersLikeTheSensorsNoise) {
   constexpr double kTarget = 0.11;  // m before the camera: where fig3b places it
   const double scatter = Observed(CameraPair{}).ofKnotAt(kTarget).deviation();
   EXPECT_LT(scatter, CameraPair{}.depthOf(kTarget, 0.03));

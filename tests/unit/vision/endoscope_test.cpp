@@ -159,7 +159,7 @@ TEST(Endoscope, DrawsBeforeItsFirstCycle) {
   EXPECT_FALSE(pair.left.valid || pair.right.valid) << "nothing was before the cameras";
 }
 
-TEST(Endoscope, TakesAsManyPairsASecondAsItIsTold) {
+TEST(Endoscope, TakesPairsAtItsRate) {
   for (const auto& [period, pairs] : {std::pair(66'667us, 15.0), std::pair(16'667us, 60.0)}) {
     EndoscopeParameters parameters = steady();
     parameters.period = period;
@@ -170,7 +170,7 @@ TEST(Endoscope, TakesAsManyPairsASecondAsItIsTold) {
   }
 }
 
-TEST(Endoscope, ImagesComeLateWithTheStampOfTheExposure) {
+TEST(Endoscope, LateImagesKeepTheirExposuresStamp) {
   for (const suture::Duration latency : {0ms, 30ms, 120ms}) {
     EndoscopeParameters parameters = steady();
     parameters.latency = latency;
@@ -192,7 +192,7 @@ TEST(Endoscope, ImagesComeLateWithTheStampOfTheExposure) {
   }
 }
 
-TEST(Endoscope, LosesTheShareOfItsPairsThatItWasTold) {
+TEST(Endoscope, LosesItsShareOfPairs) {
   EndoscopeParameters parameters = steady();
   parameters.dropout = 0.4;
   Theatre theatre(parameters);
@@ -216,7 +216,7 @@ TEST(Endoscope, ASilentEndoscopeShowsNothing) {
 }
 
 // The first pair that is exposed with a hand before one eye is not valid, and no pose comes of it.
-TEST(Tracker, SeesNothingWithinOneFrameOfACoveredLens) {
+TEST(Tracker, ACoveredLensHidesEverythingAtOnce) {
   Theatre theatre(steady());
   theatre.watch(500ms);
   ASSERT_TRUE(theatre.tracker.sighting().valid);
@@ -239,7 +239,7 @@ TEST(Tracker, SeesNothingWithinOneFrameOfACoveredLens) {
 }
 
 // At up to 30 mm/s a sighting is 3 mm and more behind what it shows; the pose is of now.
-TEST(Tracker, PosesMakeUpForTheAgeOfImages) {
+TEST(Tracker, PosesMakeUpForTheirAge) {
   EndoscopeParameters parameters = steady();
   parameters.latency = 80ms;
   Theatre theatre(parameters);

@@ -38,7 +38,7 @@ double deviation(const ImageFrame& image) {
   return std::sqrt(squares / count - sum / count * (sum / count));
 }
 
-TEST(ImageSensor, AddsNoiseOfTheStandardDeviationThatItWasGiven) {
+TEST(ImageSensor, AddsNoiseOfItsStandardDeviation) {
   for (const double noise : {1.0, 3.0, 5.0}) {
     ImageFrame image = grey(128);
     ImageSensor(noise, 0).expose(image);
@@ -99,7 +99,7 @@ std::ptrdiff_t threads() {
   return std::distance(begin(tasks), end(tasks));
 }
 
-TEST(DrawingAndSeeing, TakeTheThreadThatAsksAndNoOther) {
+TEST(DrawingAndSeeing, TakeOnlyTheAskersThread) {
   Painter painter{CameraPair{}};
   ImageFrame image;
   painter.paint(Eye::Left, {hanging({-0.03, 0, 0.08}, {0, 0, 0.08}, {0.03, 0, 0.08})}, image);

@@ -36,14 +36,14 @@ class Stereo : public testing::Test {
   ImageFrame left_, right_;
 };
 
-TEST_F(Stereo, APointThatBothEyesSeeIsWhereItWas) {
+TEST_F(Stereo, APointOfBothEyesIsRight) {
   const Vector3d point(0.013, -0.021, 0.087);
   const Vector3d found = triangulate(cameras_, cameras_.project(Eye::Left, point),
                                      cameras_.project(Eye::Right, point));
   EXPECT_TRUE(found.isApprox(point, 1e-9));
 }
 
-TEST_F(Stereo, AMarkerIsFoundWhereItIsInTheImage) {
+TEST_F(Stereo, AMarkerIsFoundInItsPlace) {
   for (const double z : {0.06, 0.08, 0.1, 0.12}) {
     const Vector3d left(-0.03, 0.002, z), knot(0.0013, -0.0042, z + 0.004), right(0.029, 0, z);
     const MarkerPoints found = look(hanging(left, knot, right));
@@ -61,7 +61,7 @@ TEST_F(Stereo, AMarkerIsFoundWhereItIsInTheImage) {
   }
 }
 
-TEST_F(Stereo, AMarkerOutsideTheImageIsNotSeen) {
+TEST_F(Stereo, AnOutsideMarkerIsNotSeen) {
   const MarkerPoints found =
       look(hanging({-0.2, 0, 0.08}, {0.001, -0.004, 0.08}, {0.029, 0, 0.08}));
   EXPECT_FALSE(sees(found, Marker::LeftTip));
@@ -87,7 +87,7 @@ void cover(ImageFrame& image, int from, int to) {
   }
 }
 
-TEST_F(Stereo, AMarkerThatIsHiddenInPartIsNotSeen) {
+TEST_F(Stereo, APartlyHiddenMarkerIsNotSeen) {
   const Vector3d knot(0, -0.004, 0.1);
   const double radius = cameras_.focal * radiusOf(Marker::Knot) / knot.z();
   for (const double hidden : {0.2, 0.5, 0.8}) {
@@ -108,7 +108,7 @@ TEST_F(Stereo, AMarkerThatIsHiddenInPartIsNotSeen) {
   }
 }
 
-TEST_F(Stereo, AnImageWithoutItsPixelsHasNoMarkers) {
+TEST_F(Stereo, AnEmptyImageHasNoMarkers) {
   look(hanging({-0.03, 0, 0.08}, {0, 0, 0.08}, {0.03, 0, 0.08}));
   left_.data.resize(left_.data.size() / 4);
   for (const auto& one : detect(left_)) EXPECT_FALSE(one);
@@ -118,7 +118,7 @@ TEST_F(Stereo, AnImageWithoutItsPixelsHasNoMarkers) {
   for (const auto& one : detect(left_)) EXPECT_FALSE(one);
 }
 
-TEST_F(Stereo, APointIsAtOneHeightInBothImages) {
+TEST_F(Stereo, APointHasOneHeight) {
   const Vector3d left(-0.03, 0, 0.08), knot(0, -0.004, 0.08), right(0.03, 0, 0.08);
   look(hanging(left, knot, right));
   show(Eye::Right, hanging(left, knot + Vector3d(0, 0.001, 0), right), right_);
@@ -127,7 +127,7 @@ TEST_F(Stereo, APointIsAtOneHeightInBothImages) {
   EXPECT_TRUE(sees(found, Marker::LeftTip));
 }
 
-TEST_F(Stereo, ACameraWithoutNoiseAndBlurSeesAsWell) {
+TEST_F(Stereo, ANoiselessCameraSeesAsWell) {
   sensor_ = ImageSensor(0, 0);
   for (const auto& one : look(hanging({-0.03, 0, 0.08}, {0, 0, 0.08}, {0.03, 0, 0.08}))) {
     EXPECT_TRUE(one);

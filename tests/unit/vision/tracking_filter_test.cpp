@@ -80,7 +80,7 @@ TEST(TrackingFilter, SmoothsTheNoiseOfWhatStandsStill) {
   EXPECT_LT(std::sqrt(filtered), 0.7 * std::sqrt(seen));
 }
 
-TEST(TrackingFilter, ASightingThatIsNotNewerChangesNothing) {
+TEST(TrackingFilter, AnOlderSightingChangesNothing) {
   TrackingFilter filter(0.1);
   filter.seenAt(kStart, {0, 0, 0.1}, kNoise);
   filter.seenAt(kStart, {0, 0, 0.2}, kNoise);

@@ -114,7 +114,7 @@ Json derived() {
   return json;
 }
 
-TEST(Compatibility, ALaterMemberOfABaseMovesNothing) {
+TEST(Compatibility, ABasesLaterMemberMovesNothing) {
   Json grown = derived();
   const Json clear = {{"name", "clear"}, {"ordinal", 2}, {"from", "suture::Messages"}};
   const Json sent = {{"name", "sent"}, {"ordinal", 1}};
@@ -126,7 +126,7 @@ TEST(Compatibility, ALaterMemberOfABaseMovesNothing) {
   EXPECT_EQ(compare(grown, derived()).lacking, Numbers{1});
 }
 
-TEST(Compatibility, ABaseIsKnownByItsNumberNotItsName) {
+TEST(Compatibility, ABaseIsKnownByItsNumber) {
   Json renamed = derived();
   renamed["commands"][0]["from"] = "suture::Post";
   renamed["wire"].back()["cxx"] = "suture::Post";

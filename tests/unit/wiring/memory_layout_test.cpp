@@ -90,7 +90,7 @@ TEST(Stamps, TheDescriptionShowsSteadyStamps) {
   EXPECT_TRUE(hidesStampsWith(R"({"commands": [], "structs": [{"clock": "steady"}]})"));
 }
 
-TEST(Stamps, AreNotHiddenIfTheTableShiftsThem) {
+TEST(Stamps, AreVisibleToAShiftingTable) {
   InterfaceInfo info = infoWith(R"({"commands": [], "structs": [{"clock": "steady"}]})");
   std::vector<CommandInfo> commands(info.commands.begin(), info.commands.end());
   commands[0].shiftArguments = [](std::byte*, Duration) {};

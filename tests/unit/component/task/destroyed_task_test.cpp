@@ -21,7 +21,7 @@ void destroyARunningTask() {
   pass(1ms);  // its first cycle is over, so nothing calls the run() of a class that is gone
 }
 
-TEST(DestroyedTaskDeathTest, SaysThatTheTaskMustBeStoppedBefore) {
+TEST(DestroyedTaskDeathTest, AsksToStopTheTaskFirst) {
   EXPECT_DEATH(destroyARunningTask(), "is destroyed while its thread runs. Stop the task or its");
 }
 

@@ -59,7 +59,7 @@ class CountedLoop final : public PeriodicTask {
   std::atomic<bool> finished_{false};
 };
 
-TEST(PeriodicTask, ExecutedAndSkippedAddUpToElapsedOverPeriod) {
+TEST(PeriodicTask, ExecutedAndSkippedAddUp) {
   CountedLoop loop;
   loop.start();
   const Time deadline = now() + 60s;

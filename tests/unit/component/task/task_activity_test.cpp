@@ -44,7 +44,7 @@ TEST(TaskActivity, OverdueBeginsWhereItIsDue) {
   EXPECT_EQ(activity.read().activity, Activity::Suspended);
 }
 
-TEST(TaskActivity, ASleepingTaskIsDueAfterItsLongestSleep) {
+TEST(TaskActivity, SleepersAreDueAfterTheirLongestSleep) {
   Watched<EventTask> task(EventOptions{.longestSleep = 1h});
   EXPECT_EQ(task.activity().read().activity, Activity::Suspended);
   task.start();

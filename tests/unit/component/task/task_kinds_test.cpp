@@ -88,7 +88,7 @@ TEST(CallbackTask, RunsInTheThreadThatCallsIt) {
   EXPECT_EQ(client.arm.hold().error(), Errc::Lost);
 }
 
-TEST(CallbackTask, ACallWithinACycleIsCountedAndDoesNothing) {
+TEST(CallbackTask, ANestedCallIsCountedOnly) {
   Worker<CallbackTask>* self = nullptr;
   bool nested = true;
   Worker<CallbackTask> task([&] { nested = self->trigger(); });
@@ -157,7 +157,7 @@ TEST(GuestTask, DoesNotStopItsHost) {
   EXPECT_EQ(answer, kStopElsewhere);
 }
 
-TEST(GuestTask, FollowsItsHostInTheOrderOfLending) {
+TEST(GuestTask, FollowsItsHostInLendingOrder) {
   std::vector<std::string> order;
   std::vector<std::thread::id> threads;
   const auto note = [&](const char* who) {
@@ -268,7 +268,7 @@ TEST(EventTask, RefusesASleepThatIsNone) {
   }
 }
 
-TEST(Device, RefusesAPeriodOfReadsThatIsNone) {
+TEST(Device, RefusesAnEmptyReadPeriod) {
   struct Sensor final : Device {
     using Device::Device;
   };

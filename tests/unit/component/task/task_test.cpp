@@ -60,7 +60,7 @@ class CycleCountingArm final : public Kind, public ArmLike {
   PoseStamped pose_;
 };
 
-TEST(PeriodicTask, RunsOncePerPeriodAndAccountsForEach) {
+TEST(PeriodicTask, RunsOncePerPeriod) {
   CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   const Time begin = now();
   arm.start();
@@ -136,7 +136,7 @@ bool asks() {
   return answered;
 }
 
-TEST(EventTask, LooksAgainAtAnAnswerThatCameWithAnother) {
+TEST(EventTask, LooksAgainAfterASecondAnswer) {
   struct Impatient final : AskingTask {
     void work() override {
       if (!other) {
@@ -151,7 +151,7 @@ TEST(EventTask, LooksAgainAtAnAnswerThatCameWithAnother) {
   EXPECT_TRUE(asks<Impatient>());
 }
 
-TEST(EventTask, LooksAgainAtAnEventThatCameBeforeAnother) {
+TEST(EventTask, LooksAgainAfterASecondEvent) {
   struct Impatient final : AskingTask {
     void work() override {
       if (!mode) {
@@ -169,7 +169,7 @@ TEST(EventTask, LooksAgainAtAnEventThatCameBeforeAnother) {
   EXPECT_TRUE(asks<Impatient>());
 }
 
-TEST(EventTask, LooksAgainAtWhatAHandlerDidWhileItWaited) {
+TEST(EventTask, LooksAgainAfterAWaitingHandler) {
   struct Impatient final : AskingTask {
     Impatient() {
       arm.on().mode([this](Mode) { heard = true; });
@@ -212,11 +212,11 @@ void expectRest(const Ask& ask) {
   EXPECT_LT(client.cycles, 6) << "it runs without pause";
 }
 
-TEST(EventTask, AnAwaitedAnswerDoesNotWakeItAgain) {
+TEST(EventTask, AnAwaitedAnswerWakesNobody) {
   expectRest([](Required<ArmLike>& arm) { return arm.hold.start().within(kPatience).has_value(); });
 }
 
-TEST(EventTask, APolledAnswerDoesNotWakeItAgain) {
+TEST(EventTask, APolledAnswerWakesNobody) {
   expectRest([](Required<ArmLike>& arm) {
     auto call = arm.hold.start();
     arm.owner().ringNow();
@@ -243,7 +243,7 @@ TEST(Provided, EvaluatesOnlyWhatIsAskedFor) {
   EXPECT_EQ(arm.evaluations, 0);
 }
 
-TEST(Provided, AReadThatExceedsItsCapacitySaysSo) {
+TEST(Provided, ATooLargeReadSaysSo) {
   CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   arm.joints.position.assign(9, 0.0);  // capacity(8)
   ArmClient client;
@@ -264,7 +264,7 @@ struct Listener final : Device {
   int stops = 0;
 };
 
-TEST(Events, ALateJoinerGetsTheLatchedValueAndNoOther) {
+TEST(Events, ALateJoinerGetsTheLatchedValue) {
   CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   Listener early, late;
   connectLocally(early.arm, arm.arm, "early");
@@ -282,7 +282,7 @@ TEST(Events, ALateJoinerGetsTheLatchedValueAndNoOther) {
   EXPECT_EQ(late.stops, 0);
 }
 
-TEST(Events, ASlowSubscriberLosesOnlyItsOwnEvents) {
+TEST(Events, ASlowSubscriberLosesItsOwn) {
   CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   Listener quick, slow;
   connectLocally(quick.arm, arm.arm, "quick");

@@ -41,7 +41,7 @@ TEST(WindowMeter, SumsUpTheCyclesOfOneWindow) {
   EXPECT_EQ(window.compute.max, 300us);
 }
 
-TEST(WindowMeter, TheNextWindowKnowsNothingOfTheLast) {
+TEST(WindowMeter, TheNextWindowBeginsEmpty) {
   WindowMeter meter;
   meter.setLength(10ms);
   meter.cycle(at(0ms), at(9ms), 0);
