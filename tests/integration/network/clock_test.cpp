@@ -43,7 +43,7 @@ class ClockTest : public testing::TestWithParam<std::tuple<Duration, Lane>> {
   GlobalManager names_;
 };
 
-TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
+TEST_P(ClockTest, AgesAreRightWithinTheShownError) {
   if (geteuid() != 0) GTEST_SKIP() << "only root may give a process another clock";
   const auto ahead = std::chrono::duration_cast<std::chrono::seconds>(std::get<0>(GetParam()));
   const Lane lane = std::get<1>(GetParam());

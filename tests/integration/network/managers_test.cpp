@@ -71,7 +71,7 @@ class ManagersTest : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Sockets, ManagersTest, testing::Values("unix", "tcp"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(ManagersTest, WhenTheFirstIsKilledTheNextKnowsEverybody) {
+TEST_P(ManagersTest, TheNextKnowsAllAfterAKill) {
   const auto child = provider();
   Asker old("old", all_);
   old.connect();
@@ -92,7 +92,7 @@ TEST_P(ManagersTest, WhenTheFirstIsKilledTheNextKnowsEverybody) {
   EXPECT_TRUE(old.manager.whyLost().empty());
 }
 
-TEST_P(ManagersTest, WhenTheFirstIsStoppedTheNextKnowsEverybody) {
+TEST_P(ManagersTest, TheNextKnowsAllAfterAStop) {
   const auto child = provider();
   Asker old("old", all_);
   old.connect();
@@ -124,7 +124,7 @@ TEST_P(ManagersTest, AFailedSearchNamesAllManagers) {
 }
 
 // One question to a manager has 2 s, so this start has to ask again.
-TEST_P(ManagersTest, AStartAwaitsAStoppedManagerForItsPatience) {
+TEST_P(ManagersTest, AStartAwaitsAStoppedManager) {
   first_->signal(SIGSTOP);
   const Time began = now();
   const std::string error = refusal([&] { Manager("left", first_->address, 2500ms); });
@@ -135,7 +135,7 @@ TEST_P(ManagersTest, AStartAwaitsAStoppedManagerForItsPatience) {
   first_->signal(SIGCONT);
 }
 
-TEST_P(ManagersTest, AStartSucceedsWhenAStoppedManagerGoesOn) {
+TEST_P(ManagersTest, AStartSucceedsOnceTheManagerResumes) {
   first_->signal(SIGSTOP);
   auto started = std::async(std::launch::async, [&] { Manager("left", first_->address); });
   EXPECT_EQ(started.wait_for(2500ms), std::future_status::timeout) << "it has to wait";
@@ -169,7 +169,7 @@ TEST_P(ManagersTest, ASilentProcessIsNotHandedOut) {
   EXPECT_TRUE(reaches(asker.console, 1));
 }
 
-TEST_P(ManagersTest, TheNameOfASilentProcessIsFreeForAnother) {
+TEST_P(ManagersTest, ASilentProcesssNameIsFree) {
   const auto child = provider();
   child->signal(SIGSTOP);
   reference::HostedArm arm;

@@ -86,7 +86,7 @@ class NetworkTest : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Sockets, NetworkTest, testing::Values("unix", "tcp", "tls"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(NetworkTest, AKilledPeerIsLostAndItsSuccessorFound) {
+TEST_P(NetworkTest, AKilledPeersSuccessorIsFound) {
   auto child = host("left");
   Console console;
   Manager manager = process("right");
@@ -115,7 +115,7 @@ TEST_P(NetworkTest, AKilledPeerIsLostAndItsSuccessorFound) {
   }));
 }
 
-TEST_P(NetworkTest, AStoppedPeerIsLostAndComesBack) {
+TEST_P(NetworkTest, AStoppedPeerIsLostAndReturns) {
   auto child = host("left");
   Console console;
   Manager manager = process("right");
@@ -130,7 +130,7 @@ TEST_P(NetworkTest, AStoppedPeerIsLostAndComesBack) {
   EXPECT_TRUE(reaches(console, 2));
 }
 
-TEST_P(NetworkTest, TheConnectionLivesOnWithoutTheGlobalManager) {
+TEST_P(NetworkTest, TheConnectionOutlivesTheGlobalManager) {
   auto names = std::make_unique<GlobalManager>(control_, freshAddress("other.sock"),
                                                securityOf(tls::kManagerName));
   Child child(armHost(names->address(), "left"));
@@ -214,7 +214,7 @@ TEST_P(NetworkTest, ATakenProcessNameIsRefused) {
   EXPECT_TRUE(contains(error, "register process 'left'")) << error;
 }
 
-TEST_P(NetworkTest, TwoProcessesThatRequireEachOtherStartInAnyOrder) {
+TEST_P(NetworkTest, ProcessesThatRequireEachOtherStart) {
   reference::HostedArm leftArm, rightArm;
   Console leftConsole, rightConsole;
   std::thread other([&] {
@@ -237,7 +237,7 @@ class PlainNetworkTest : public NetworkTest {};
 INSTANTIATE_TEST_SUITE_P(Sockets, PlainNetworkTest, testing::Values("unix", "tcp"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(PlainNetworkTest, APlainCapnpClientReadsAndCommandsAnArm) {
+TEST_P(PlainNetworkTest, APlainCapnpClientCommandsAnArm) {
   const auto arm = host("left");
   std::string peer = addressOf("left");
   if (peer.starts_with("tcp://")) peer = peer.substr(6);
@@ -255,7 +255,7 @@ TEST_P(PlainNetworkTest, APlainCapnpClientReadsAndCommandsAnArm) {
   EXPECT_EQ(client.end(0), 0);
 }
 
-TEST(Network, WithoutAManagerTheErrorSaysHowToStartOne) {
+TEST(Network, TheErrorSaysHowToStartOne) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("none.sock");
   const std::string error = refusal([&] { Manager manager("left", address, 50ms); });

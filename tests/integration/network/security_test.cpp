@@ -108,7 +108,7 @@ struct Robot {
   Manager manager;
 };
 
-TEST_F(SecurityTest, TheNameOfAnotherProcessIsNotGivenAway) {
+TEST_F(SecurityTest, ATakenNameIsNotGivenAway) {
   const std::string error =
       refusal([&] { Manager("robot", names_.address(), securityOf("stranger")); });
   EXPECT_TRUE(contains(error,
@@ -122,7 +122,7 @@ TEST_F(SecurityTest, NoProcessGetsInWithoutKeys) {
   EXPECT_TRUE(contains(error, "this process has no keys")) << error;
 }
 
-TEST_F(SecurityTest, AManagerThatIsNotRunningIsStartedWithKeys) {
+TEST_F(SecurityTest, AManagerIsStartedWithKeys) {
   const std::string error =
       refusal([&] { Manager("robot", "tls://127.0.0.1:1", securityOf("robot"), 20ms); });
   EXPECT_TRUE(contains(error, "suture-manager --listen tls://127.0.0.1:1 --keys FOLDER")) << error;
@@ -162,7 +162,7 @@ TEST_F(SecurityTest, ACertificateNamesItsProcess) {
   EXPECT_TRUE(contains(connected, "the caller says that it is 'console'")) << connected;
 }
 
-TEST_F(SecurityTest, ARegisteredAddressDoesNotLeadOutOfTls) {
+TEST_F(SecurityTest, ARegisteredAddressStaysWithinTls) {
   rpc::ControlThread control;
   std::unique_ptr<ManagerLink> link;
   const auto manager = rpc::Address::parse(names_.address());
@@ -188,7 +188,7 @@ TEST_F(SecurityTest, ARegisteredAddressDoesNotLeadOutOfTls) {
   control.run(kPatience, [&] { link.reset(); });
 }
 
-TEST_F(SecurityTest, AReadOnlyRoleReadsAndHearsAndCommandsNothing) {
+TEST_F(SecurityTest, AReadOnlyRoleCommandsNothing) {
   const Policy policy({{"process:viewer", kLooksAtArms}, {"process:console", kEverything}});
   const Robot robot([&] { return process("robot", policy); });
   Console surgeon, onlooker;
@@ -232,7 +232,7 @@ TEST_F(SecurityTest, AReadOnlyRoleReadsAndHearsAndCommandsNothing) {
   EXPECT_TRUE(reaches(surgeon, 4)) << "who may command still does";
 }
 
-TEST_F(SecurityTest, ARoleRefusesWhatItDoesNotName) {
+TEST_F(SecurityTest, ARoleRefusesWhatItOmits) {
   const Policy policy({{"process:viewer", kLooksAtArms}});
   const Robot robot([&] { return process("robot", policy); });
   Console onlooker, other;
@@ -253,7 +253,7 @@ TEST_F(SecurityTest, ARoleRefusesWhatItDoesNotName) {
       << robot.manager.refusals().latest;
 }
 
-TEST_F(SecurityTest, APlainClientIsHeldToThePolicyToo) {
+TEST_F(SecurityTest, APlainClientObeysThePolicyToo) {
   const Policy policy(
       {{"process:console", kEverything}, {"process:viewer", {.full = {"ECM/*"}, .read = {}}}});
   const Robot robot([&] { return process("robot", policy); });

@@ -76,7 +76,7 @@ TEST_F(FeelingHands, PlaceTheKnotPassivelyWithTheController) {
   EXPECT_LT((desk.knot() - kPlace).norm(), 2e-3);
 }
 
-TEST_F(FeelingHands, FeelNoSlaveThatTheyDoNotKnow) {
+TEST_F(FeelingHands, FeelNoUnknownSlave) {
   begin(feeling(true));
   pass(2s);
   desk.manager.disconnect("Operator/LeftSlave");

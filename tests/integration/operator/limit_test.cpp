@@ -38,7 +38,7 @@ bool isStable(suture::Duration delay) {
   return diesOut([&] { return desk.knot().x() - 0.002; });
 }
 
-TEST(Operator, SeesThePictureLateByLoopAndLink) {
+TEST(Operator, SeesThePictureAfterItsDelay) {
   const double own = measuredLag(0ms);
   RecordProperty("loop_ms", std::to_string(1000 * own));
   EXPECT_GT(own, inSeconds(Scene::kPeriod) / 2);
@@ -46,7 +46,7 @@ TEST(Operator, SeesThePictureLateByLoopAndLink) {
   EXPECT_NEAR(measuredLag(200ms) - own, 0.2, 0.002);
 }
 
-TEST(Operator, ClosesAStableLoopUpToItsOwnLimit) {
+TEST(Operator, ClosesAStableLoopBelowItsLimit) {
   const double limit = limitByFormula({}, measuredLag(0ms));
   const suture::Duration stable = longestStable(isStable, 150ms, 450ms, 10ms);
   RecordProperty("limit_ms", std::to_string(1000 * limit));

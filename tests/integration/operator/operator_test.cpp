@@ -51,7 +51,7 @@ TEST(AtATurnedDesk, BringsTheKnotToItsTarget) {
   EXPECT_LT((frames.camera * desk.knot() - kTarget).norm(), 1e-4);
 }
 
-TEST_F(AtDesk, IsWithinAMillimetreWithNoiseAndTremor) {
+TEST_F(AtDesk, IsPreciseDespiteNoiseAndTremor) {
   OperatorParameters parameters = quiet();
   parameters.remnant = OperatorParameters{}.remnant;
   parameters.tremor = OperatorParameters{}.tremor;
@@ -64,7 +64,7 @@ TEST_F(AtDesk, IsWithinAMillimetreWithNoiseAndTremor) {
   EXPECT_GT((leftHand() - rightHand()).norm(), 1e-6) << "each hand has its own tremor";
 }
 
-TEST_F(AtDesk, NeverMovesAHandFasterThanItsBound) {
+TEST_F(AtDesk, MovesNoHandFasterThanBounded) {
   OperatorParameters parameters = quiet();
   parameters.target = {0, 0, 0.2};
   parameters.speed = 0.05;
@@ -148,7 +148,7 @@ TEST_F(AtDesk, LetsGoWithoutAGuide) {
   EXPECT_TRUE(desk.left.goals().empty());
 }
 
-TEST_F(AtDesk, BeginsAnewWhereAMasterRefusesItsGoals) {
+TEST_F(AtDesk, BeginsAnewWhereAMasterRefuses) {
   desk.seatOperator(quiet());
   pass(500ms);
   desk.right.refuseStepsBeyond(0.005);

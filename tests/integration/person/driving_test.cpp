@@ -67,7 +67,7 @@ class DrivingTest : public testing::Test {
   suture::Manager manager_{"workstation"};
 };
 
-TEST_F(DrivingTest, TheSlaveFollowsButNotWhileTheClutchIsPressed) {
+TEST_F(DrivingTest, TheClutchStopsTheSlave) {
   begin();
   pass(100ms);
   const Eigen::Vector3d master = tip(master_), slave = tip(slave_);
@@ -90,7 +90,7 @@ TEST_F(DrivingTest, TheSlaveFollowsButNotWhileTheClutchIsPressed) {
   EXPECT_NEAR((tip(slave_) - held).norm(), 0.5 * 0.05 * 0.4, 1e-4);
 }
 
-TEST_F(DrivingTest, TheSlaveDoesNotFollowWhenTheGamepadIsGone) {
+TEST_F(DrivingTest, TheSlaveRestsWithoutTheGamepad) {
   begin();
   fifo_.pullOut();
   EXPECT_TRUE(reaches(TeleopState::Clutched));

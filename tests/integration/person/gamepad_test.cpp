@@ -70,7 +70,7 @@ TEST_F(GamepadTest, TurnsAsFastAsTheStickSays) {
   EXPECT_TRUE(turned.axis().isApprox(Eigen::Vector3d::UnitZ(), 1e-6));
 }
 
-TEST_F(GamepadTest, TakesAnEventThatComesInTwoParts) {
+TEST_F(GamepadTest, TakesAnEventInTwoParts) {
   start();
   const auto events = stickToTheRight();
   fifo_.write(events, 0, 10);
@@ -93,7 +93,7 @@ TEST_F(GamepadTest, RestsAfterDroppedEvents) {
   EXPECT_GT(seat_.goalsIn(20ms), 0u);
 }
 
-TEST_F(GamepadTest, RestsWhenItsDeviceIsGoneAndSaysSoOnce) {
+TEST_F(GamepadTest, RestsWhenItsDeviceIsGone) {
   start();
   pushRight();
   EXPECT_TRUE(errors().empty());
@@ -113,7 +113,7 @@ TEST_F(GamepadTest, RestsWhenItsDeviceIsGoneAndSaysSoOnce) {
   EXPECT_EQ(errors().size(), 2u);
 }
 
-TEST_F(GamepadTest, WaitsForADeviceThatIsNotThereYet) {
+TEST_F(GamepadTest, WaitsForItsDevice) {
   seat_.start(gamepad_);
   pass(5s);
   EXPECT_EQ(errors().size(), 1u);
@@ -122,7 +122,7 @@ TEST_F(GamepadTest, WaitsForADeviceThatIsNotThereYet) {
   pushRight();
 }
 
-TEST_F(GamepadTest, MovesNothingWhileTheArmIsNotReady) {
+TEST_F(GamepadTest, MovesNothingUntilTheArmIsReady) {
   start();
   seat_.master.sayDisabled(true);
   pass(5ms);
@@ -156,7 +156,7 @@ TEST_F(GamepadTest, BeginsEachTimeWhereTheArmIs) {
   EXPECT_LT((seat_.position() - elsewhere.translation()).norm(), 0.002) << "it leapt";
 }
 
-TEST_F(GamepadTest, GoesOnFromTheArmAfterARefusedStep) {
+TEST_F(GamepadTest, GoesOnAfterARefusedStep) {
   start();
   pushRight();
   seat_.master.refuseStepsBeyond(0.005);
@@ -219,7 +219,7 @@ TEST_F(GamepadTest, LeadsTheGripperByItsTrigger) {
   EXPECT_EQ(seat_.hand.angle, 0.6);
 }
 
-TEST_F(GamepadTest, ItsClutchIsFreshWhileTheDeviceIsThere) {
+TEST_F(GamepadTest, ItsClutchIsFreshWithTheDevice) {
   fifo_.plugIn();
   seat_.connect(gamepad_);
   seat_.addFeet();

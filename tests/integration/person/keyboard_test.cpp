@@ -29,7 +29,7 @@ class KeyboardTest : public testing::Test {
 };
 
 // The cycle after the press reads it, and the one 150 ms after that rests.
-TEST_F(KeyboardTest, MovesForHundredAndFiftyMillisecondsAfterOnePress) {
+TEST_F(KeyboardTest, OnePressMovesForHundredFiftyMilliseconds) {
   start();
   const suture::Time pressed = suture::now();
   pty_.type("d");
@@ -39,7 +39,7 @@ TEST_F(KeyboardTest, MovesForHundredAndFiftyMillisecondsAfterOnePress) {
       << seat_.position().transpose();
 }
 
-TEST_F(KeyboardTest, MovesUntilHundredAndFiftyMillisecondsAfterTheLastRepeat) {
+TEST_F(KeyboardTest, MotionOutlastsTheLastRepeat) {
   start();
   suture::Time repeated;
   for (int i = 0; i < 10; ++i) {
@@ -59,7 +59,7 @@ TEST_F(KeyboardTest, TellsWhichKeyDoesWhat) {
   EXPECT_EQ(seat_.listener.statuses.front(), KeyMotion::kHelp) << "a message cuts a longer one";
 }
 
-TEST_F(KeyboardTest, MovesNothingWhileTheArmIsNotReady) {
+TEST_F(KeyboardTest, MovesNothingUntilTheArmIsReady) {
   start();
   seat_.master.sayDisabled(true);
   pass(5ms);
@@ -72,7 +72,7 @@ TEST_F(KeyboardTest, MovesNothingWhileTheArmIsNotReady) {
 }
 
 // Meanwhile a shell has had the terminal.
-TEST_F(KeyboardTest, ForgetsKeysThatCameWhileItDidNotRun) {
+TEST_F(KeyboardTest, ForgetsKeysThatCameBeforeItRan) {
   seat_.connect(keyboard_);
   seat_.addHand();
   seat_.begin();
@@ -87,7 +87,7 @@ TEST_F(KeyboardTest, ForgetsKeysThatCameWhileItDidNotRun) {
   EXPECT_TRUE(pty_.handsOverKeys());
 }
 
-TEST_F(KeyboardTest, StopsWhenTheTerminalIsGoneAndSaysSoOnce) {
+TEST_F(KeyboardTest, StopsWhenTheTerminalIsGone) {
   start();
   pty_.type("d");
   EXPECT_GT(seat_.goalsIn(10ms), 0u);
@@ -111,7 +111,7 @@ TEST_F(KeyboardTest, OpensAndClosesTheGripper) {
   EXPECT_EQ(seat_.hand.angle, 0);
 }
 
-TEST_F(KeyboardTest, ItsClutchIsFreshWhileTheTerminalIsThere) {
+TEST_F(KeyboardTest, ItsClutchIsFreshWithTheTerminal) {
   seat_.connect(keyboard_);
   seat_.addFeet();
   seat_.begin();

@@ -118,7 +118,7 @@ class AssistantTest : public testing::Test {
   suture::Manager manager_{"workstation"};
 };
 
-TEST_F(AssistantTest, ReleasesTheStopThatTheCoordinatorStartsWith) {
+TEST_F(AssistantTest, ReleasesTheStopOfTheStart) {
   start(0s);
   EXPECT_TRUE(until([this] { return mayHavePower(); }));
   EXPECT_TRUE(until([this] { return follows(); }));
@@ -126,7 +126,7 @@ TEST_F(AssistantTest, ReleasesTheStopThatTheCoordinatorStartsWith) {
   EXPECT_TRUE(mayHavePower() && follows());
 }
 
-TEST_F(AssistantTest, PressesAndReleasesOnceByItsScriptAndEnablesAgain) {
+TEST_F(AssistantTest, FollowsItsScriptAndEnablesAgain) {
   start(5s);
   ASSERT_TRUE(until([this] { return mayHavePower(); }));
   pass(4900ms);
@@ -156,7 +156,7 @@ TEST_F(AssistantTest, LeavesTheStopOfAnotherAlone) {
   EXPECT_TRUE(until([this] { return follows(); })) << "it enables what waits";
 }
 
-TEST_F(AssistantTest, DoesNothingWhileTheStopOfAnotherIsPressed) {
+TEST_F(AssistantTest, DoesNothingWhileAnotherStops) {
   start(5s);
   ASSERT_TRUE(until([this] { return follows(); }));
   ASSERT_TRUE(bystander_.button.press());
@@ -164,7 +164,7 @@ TEST_F(AssistantTest, DoesNothingWhileTheStopOfAnotherIsPressed) {
   EXPECT_FALSE(mayHavePower());
 }
 
-TEST_F(AssistantTest, KeepsAStopThatAnotherHasPressedToo) {
+TEST_F(AssistantTest, KeepsAStopThatAnotherPressedToo) {
   start(5s);
   ASSERT_TRUE(until([this] { return follows(); }));
   ASSERT_TRUE(until([this] { return !mayHavePower(); }));
@@ -174,7 +174,7 @@ TEST_F(AssistantTest, KeepsAStopThatAnotherHasPressedToo) {
   EXPECT_FALSE(mayHavePower());
 }
 
-TEST_F(AssistantTest, LeavesTheStopOfACoordinatorThatGoesOn) {
+TEST_F(AssistantTest, LeavesTheStopOfARunningCoordinator) {
   start(0s);
   ASSERT_TRUE(until([this] { return follows(); }));
   manager_.suspend("Coordinator");
@@ -186,7 +186,7 @@ TEST_F(AssistantTest, LeavesTheStopOfACoordinatorThatGoesOn) {
   EXPECT_TRUE(until([this] { return follows(); }));
 }
 
-TEST_F(AssistantTest, LeavesTheStopThatAnotherPressedBeforeItWasStarted) {
+TEST_F(AssistantTest, LeavesAStopFromBeforeItsStart) {
   start(0s);
   ASSERT_TRUE(until([this] { return follows(); }));
   ASSERT_TRUE(bystander_.button.press());
@@ -199,7 +199,7 @@ TEST_F(AssistantTest, LeavesTheStopThatAnotherPressedBeforeItWasStarted) {
   EXPECT_TRUE(mayHavePower() && follows()) << "its script is over, and the first one enables";
 }
 
-TEST_F(AssistantTest, LeavesTheStopOfACoordinatorThatWentOnBeforeItWasStarted) {
+TEST_F(AssistantTest, LeavesAStopOfAnEarlierCoordinator) {
   start(0s);
   ASSERT_TRUE(until([this] { return follows(); }));
   manager_.suspend("Coordinator");
@@ -210,7 +210,7 @@ TEST_F(AssistantTest, LeavesTheStopOfACoordinatorThatWentOnBeforeItWasStarted) {
   EXPECT_FALSE(mayHavePower() || follows());
 }
 
-TEST_F(AssistantTest, EnablesNothingBeforeItHasHeardOfTheStop) {
+TEST_F(AssistantTest, EnablesNothingBeforeItKnowsTheStop) {
   start(0s);
   ASSERT_TRUE(until([this] { return follows(); }));
   ASSERT_TRUE(bystander_.slave.disable());
@@ -220,7 +220,7 @@ TEST_F(AssistantTest, EnablesNothingBeforeItHasHeardOfTheStop) {
   EXPECT_EQ(slaveState(), ArmState::Disabled) << "a person has disabled it";
 }
 
-TEST_F(AssistantTest, EnablesAgainWhatStoppedByItselfButNotAtOnce) {
+TEST_F(AssistantTest, EnablesAgainWhatStoppedByItself) {
   startWithConsole();
   ASSERT_TRUE(until([this] { return follows() && isUp(); }));
   letPermitLapse();
@@ -230,7 +230,7 @@ TEST_F(AssistantTest, EnablesAgainWhatStoppedByItselfButNotAtOnce) {
   EXPECT_TRUE(until([this] { return follows(); }));
 }
 
-TEST_F(AssistantTest, EnablesAgainWhatLostItsPowerWhileItWasCutOff) {
+TEST_F(AssistantTest, EnablesAgainWhatLostItsPower) {
   startWithConsole();
   ASSERT_TRUE(until([this] { return follows() && isUp(); }));
   for (const char* const one : {"Console/PSM2", "Teleop/Slave", "PSMDrives/Stop"}) {
@@ -244,7 +244,7 @@ TEST_F(AssistantTest, EnablesAgainWhatLostItsPowerWhileItWasCutOff) {
   EXPECT_TRUE(until([this] { return follows() && isUp(); }));
 }
 
-TEST_F(AssistantTest, LeavesAnArmDisabledThatSomebodyHasDisabled) {
+TEST_F(AssistantTest, LeavesADisabledArm) {
   startWithConsole();
   ASSERT_TRUE(until([this] { return follows() && isUp(); }));
   ASSERT_TRUE(bystander_.slave.disable());
@@ -258,7 +258,7 @@ TEST_F(AssistantTest, LeavesAnArmDisabledThatSomebodyHasDisabled) {
   EXPECT_EQ(slaveState(), ArmState::Disabled) << "nor did the permit";
 }
 
-TEST_F(AssistantTest, LeavesAnArmWhereItIsThatSomebodyHasUnhomed) {
+TEST_F(AssistantTest, LeavesAnUnhomedArm) {
   startWithConsole();
   ASSERT_TRUE(until([this] { return follows() && isUp(); }));
   ASSERT_TRUE(bystander_.slave.unhome());
@@ -278,7 +278,7 @@ TEST_F(AssistantTest, LeavesAnArmInFault) {
   expectSlaveStaysDisabled();
 }
 
-TEST_F(AssistantTest, LeavesASystemDownOfWhichAnArmIsInFault) {
+TEST_F(AssistantTest, LeavesASystemWithAFaultedArm) {
   startWithConsole();
   ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Homing; }));
   failSlave();
@@ -289,7 +289,7 @@ TEST_F(AssistantTest, LeavesASystemDownOfWhichAnArmIsInFault) {
   expectSlaveStaysDisabled();
 }
 
-TEST_F(AssistantTest, LeavesASystemDownOfWhichSomebodyHasDisabledAnArm) {
+TEST_F(AssistantTest, LeavesASystemWithADisabledArm) {
   startWithConsole();
   ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Homing; }));
   ASSERT_TRUE(bystander_.slave.disable());
@@ -299,7 +299,7 @@ TEST_F(AssistantTest, LeavesASystemDownOfWhichSomebodyHasDisabledAnArm) {
   EXPECT_EQ(slaveState(), ArmState::Disabled);
 }
 
-TEST_F(AssistantTest, BringsUpAgainWhatWentDownBeforeItWasUp) {
+TEST_F(AssistantTest, BringsUpWhatWentDownEarly) {
   startWithConsole();
   ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Homing; }));
   letPermitLapse();
@@ -309,7 +309,7 @@ TEST_F(AssistantTest, BringsUpAgainWhatWentDownBeforeItWasUp) {
   EXPECT_TRUE(until([this] { return follows(); }));
 }
 
-TEST_F(AssistantTest, LeavesASystemDownThatSomebodyHasBroughtDown) {
+TEST_F(AssistantTest, LeavesASystemThatWasBroughtDown) {
   startWithConsole();
   ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Up; }));
   ASSERT_TRUE(bystander_.console.bring_down());

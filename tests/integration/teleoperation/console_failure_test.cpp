@@ -7,7 +7,7 @@
 namespace robots::test {
 namespace {
 
-TEST_F(ConsoleTest, TakesBackABringUpInWhichAPartFails) {
+TEST_F(ConsoleTest, TakesBackAFailedBringUp) {
   begin();
   release();
   EXPECT_TRUE(onlooker_.slave.enable());
@@ -22,7 +22,7 @@ TEST_F(ConsoleTest, TakesBackABringUpInWhichAPartFails) {
             (std::vector{ConsoleState::Enabling, ConsoleState::Leaving, ConsoleState::Down}));
 }
 
-TEST_F(ConsoleTest, AStopEndsTheBringUpForGood) {
+TEST_F(ConsoleTest, AStopEndsTheBringUp) {
   begin();
   bringUpUntil(ConsoleState::Homing);
   EXPECT_TRUE(onlooker_.button.press());
@@ -46,7 +46,7 @@ TEST_F(ConsoleTest, DoesNotHomeAHeldArmAgain) {
 }
 
 // An arm that has not run for a while holds, and nobody has asked it to.
-TEST_F(ConsoleTest, HomesAnArmAgainThatAPauseOfTheMachineStopped) {
+TEST_F(ConsoleTest, HomesAnArmThatAPauseStopped) {
   ASSERT_TRUE(slaveHomes());
   for (const char* const one : {"Console", "PSM2"}) manager_.suspend(one);
   pass(200ms);
@@ -56,7 +56,7 @@ TEST_F(ConsoleTest, HomesAnArmAgainThatAPauseOfTheMachineStopped) {
   EXPECT_EQ(onlooker_.errors, Names{});
 }
 
-TEST_F(ConsoleTest, DoesNotHomeAHeldArmAgainAfterAPauseOfItsOwn) {
+TEST_F(ConsoleTest, ItsOwnPauseHomesNoHeldArm) {
   ASSERT_TRUE(slaveHomes());
   EXPECT_TRUE(onlooker_.slave.hold());
   pass(100ms);
@@ -68,7 +68,7 @@ TEST_F(ConsoleTest, DoesNotHomeAHeldArmAgainAfterAPauseOfItsOwn) {
   expectTakenBack("PSM2 is not homed after the console's patience");
 }
 
-TEST_F(ConsoleTest, EndsBringingUpWhenAnArmIsDisabledMeanwhile) {
+TEST_F(ConsoleTest, ADisabledArmEndsTheBringUp) {
   begin();
   bringUpUntil(ConsoleState::Homing);
   EXPECT_TRUE(onlooker_.master.disable());
@@ -76,7 +76,7 @@ TEST_F(ConsoleTest, EndsBringingUpWhenAnArmIsDisabledMeanwhile) {
   EXPECT_EQ(slaveState(), ArmState::Disabled);
 }
 
-TEST_F(ConsoleTest, RefusesToBringUpAnArmInFault) {
+TEST_F(ConsoleTest, RefusesToBringUpAFaultedArm) {
   begin();
   release();
   EXPECT_TRUE(onlooker_.slave.enable());
@@ -93,7 +93,7 @@ TEST_F(ConsoleTest, RefusesToBringUpAnArmInFault) {
   EXPECT_TRUE(becomes(ConsoleState::Up));
 }
 
-TEST_F(ConsoleTest, LeavesAnArmInFaultAsItTakesABringUpBack) {
+TEST_F(ConsoleTest, TakingBackLeavesAFaultedArm) {
   begin();
   release();
   EXPECT_TRUE(onlooker_.slave.trajectory_j_set_ratio(0.05));  // it is long on its way home
@@ -137,7 +137,7 @@ TEST_F(ConsoleTest, IsIncompleteWhileTheStopIsPressed) {
   EXPECT_TRUE(becomes(ConsoleState::Up));
 }
 
-TEST_F(ConsoleTest, IsIncompleteWhileAPartIsNotConnected) {
+TEST_F(ConsoleTest, IsIncompleteWithoutEveryPart) {
   begin();
   bringUpUntil(ConsoleState::Up);
   manager_.disconnect("Console/TeleopL");

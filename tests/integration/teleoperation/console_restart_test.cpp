@@ -28,7 +28,7 @@ class RestartedConsole : public ConsoleTest {
   SystemConsole restarted_{console(true)};
 };
 
-TEST_F(RestartedConsole, BringsUpByItselfNothingThatSomebodyHasBroughtDown) {
+TEST_F(RestartedConsole, LeavesDownWhatSomebodyBroughtDown) {
   EXPECT_TRUE(onlooker_.console.bring_down());
   ASSERT_TRUE(becomes(ConsoleState::Down));
   restart();
@@ -40,7 +40,7 @@ TEST_F(RestartedConsole, BringsUpByItselfNothingThatSomebodyHasBroughtDown) {
             Names{"MTML has homed before this console began; ask for bring_up"});
 }
 
-TEST_F(RestartedConsole, EnablesNoMoverByItselfThatSomebodyHasDisabled) {
+TEST_F(RestartedConsole, EnablesNoMoverThatSomebodyDisabled) {
   EXPECT_TRUE(onlooker_.teleop.disable());
   pass(50ms);
   restart();
@@ -51,7 +51,7 @@ TEST_F(RestartedConsole, EnablesNoMoverByItselfThatSomebodyHasDisabled) {
       suture::clockOfTest().until([&] { return restarted_.console_state() == ConsoleState::Up; }));
 }
 
-TEST_F(RestartedConsole, IsUpAgainAtOnceIfItComesToASystemThatIsUp) {
+TEST_F(RestartedConsole, FindsARunningSystemUp) {
   onlooker_.order.clear();
   restart();
   EXPECT_EQ(restarted_.console_state(), ConsoleState::Up);

@@ -59,7 +59,7 @@ TEST_F(ConsoleTest, NamesEachReasonAgainstABringUp) {
   EXPECT_EQ(masterState(), ArmState::Disabled) << "nothing has been begun";
 }
 
-TEST_F(ConsoleTest, RefusesToBringUpWhatIsNotDown) {
+TEST_F(ConsoleTest, RefusesToBringUpARunningSystem) {
   begin();
   bringUpUntil(ConsoleState::Up);
   bringUp();
@@ -68,7 +68,7 @@ TEST_F(ConsoleTest, RefusesToBringUpWhatIsNotDown) {
   EXPECT_EQ(console_->console_state(), ConsoleState::Up);
 }
 
-TEST_F(ConsoleTest, BringsUpOnceByItselfWhenEverythingIsThere) {
+TEST_F(ConsoleTest, BringsUpOnceByItself) {
   begin(true);
   pass(1s);
   EXPECT_EQ(console_->console_state(), ConsoleState::Down) << "the stop is pressed";
@@ -92,7 +92,7 @@ TEST_F(ConsoleTest, BringsDownWhatOthersHaveEnabled) {
   EXPECT_EQ(console_->console_state(), ConsoleState::Down);
 }
 
-TEST_F(ConsoleTest, HomesAnArmThatWasMovedBeforeTheBringUp) {
+TEST_F(ConsoleTest, HomesAnArmThatWasMovedBefore) {
   begin();
   release();
   EXPECT_TRUE(onlooker_.slave.enable());
@@ -105,7 +105,7 @@ TEST_F(ConsoleTest, HomesAnArmThatWasMovedBeforeTheBringUp) {
   EXPECT_TRUE(onlooker_.errors.empty());
 }
 
-TEST_F(ConsoleTest, ForgetsAStopThatItIsNotConnectedTo) {
+TEST_F(ConsoleTest, ForgetsAnUnconnectedStop) {
   begin();
   release();
   manager_.disconnect("Console/Stop");

@@ -88,7 +88,7 @@ TEST_F(DrivenArmTest, MovesWhatItsDrivesMove) {
   EXPECT_EQ(psm_.drives.feedback().power, DrivePower::Off);
 }
 
-TEST_F(DrivenArmTest, WhichHangsLeavesItsJointsWhereTheyAre) {
+TEST_F(DrivenArmTest, AHungArmLeavesItsJoints) {
   move(1);
   pass(300ms);
   manager_.suspend("PSM");
@@ -109,7 +109,7 @@ TEST_F(DrivenArmTest, IsInFaultWhenItsDrivesHang) {
   EXPECT_EQ(panel_.codes, std::vector{ArmWarning::DrivesSilent});
 }
 
-TEST_F(DrivenArmTest, StopsWhenTheStopIsPressedThoughItNeedsNoPermit) {
+TEST_F(DrivenArmTest, StopsThoughItNeedsNoPermit) {
   manager_.connect("PSMDrives/Stop", "Coordinator/Stop");
   EXPECT_TRUE(becomes(ArmState::Disabled)) << "the coordinator starts pressed";
   EXPECT_EQ(psm_.drives.feedback().power, DrivePower::Stopped);
@@ -128,7 +128,7 @@ TEST_F(DrivenArmTest, StopsWhenTheStopIsPressedThoughItNeedsNoPermit) {
 }
 
 /// It cannot tell, for it did not look.
-TEST_F(DrivenArmTest, IsNotInFaultAfterAPauseOfItsOwn) {
+TEST_F(DrivenArmTest, APauseIsNoFault) {
   manager_.suspend("PSM");
   pass(1s);
   manager_.resume("PSM");

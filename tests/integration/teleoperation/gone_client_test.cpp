@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, GoneConsole,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(GoneConsole, AfterItsEndTheArmHoldsInTheNextCycle) {
+TEST_P(GoneConsole, ItsEndHoldsTheArmAtOnce) {
   ASSERT_TRUE(follows());
   console_->stop();
   console_.reset();
@@ -94,7 +94,7 @@ TEST_P(GoneConsole, AfterItsEndTheArmHoldsInTheNextCycle) {
   expectHolds();
 }
 
-TEST_P(GoneConsole, WhileItIsStoppedTheArmHoldsAfterTheLease) {
+TEST_P(GoneConsole, AStoppedOneHoldsAfterTheLease) {
   ASSERT_TRUE(follows());
   consolesProcess_.freeze();
   pass(kSilence + 2ms);
@@ -103,7 +103,7 @@ TEST_P(GoneConsole, WhileItIsStoppedTheArmHoldsAfterTheLease) {
   EXPECT_TRUE(follows()) << "it comes back";
 }
 
-TEST(GoneTask, AfterADisconnectTheArmHoldsInTheNextCycle) {
+TEST(GoneTask, ADisconnectHoldsTheArmAtOnce) {
   DrivenPsm psm;
   ScriptedArm master;
   Teleop teleop{TeleopParameters{}};

@@ -36,7 +36,7 @@ class GuideWithPedals : public Guide {
   }
 };
 
-TEST_F(GuideWithPedals, HoldsBothSlavesWhileTheClutchIsPressed) {
+TEST_F(GuideWithPedals, TheClutchHoldsBothSlaves) {
   console_.clutch = true;
   expectThatBothHoldUntil([&] { console_.clutch = false; });
 }
@@ -51,13 +51,13 @@ TEST_F(GuideWithPedals, HoldsBothSlavesWhilePedalsAreSilent) {
   expectThatBothHoldUntil([&] { console_.stuck = false; });
 }
 
-TEST_F(GuideWithPedals, HoldsBothSlavesWhilePedalsAreOfTheFuture) {
+TEST_F(GuideWithPedals, FuturePedalsHoldBothSlaves) {
   console_.ahead = 1000;
   expectThatBothHoldUntil([&] { console_.ahead = 0; });
 }
 
 /// A clock that is ahead makes them no newer.
-TEST_F(GuideWithPedals, HoldsBothSlavesWithoutNewRowsOfThePedals) {
+TEST_F(GuideWithPedals, MissingPedalRowsHoldBothSlaves) {
   console_.ahead = 150;
   pass(20ms);
   EXPECT_EQ(guide_.guidance_state(), GuidanceState::Guiding) << "that is near enough";
@@ -68,7 +68,7 @@ TEST_F(GuideWithPedals, HoldsBothSlavesWithoutNewRowsOfThePedals) {
 }
 
 /// The knot is not lost meanwhile, since only the tips move it.
-TEST_F(GuideWithPedals, KnowsWhereTheKnotIsWhileTheClutchIsPressed) {
+TEST_F(GuideWithPedals, TheClutchHidesNoKnot) {
   console_.clutch = true;
   ASSERT_TRUE(becomes(GuidanceState::Clutched));
   pass(100ms);

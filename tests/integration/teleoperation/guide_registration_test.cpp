@@ -10,7 +10,7 @@ namespace robots::test {
 namespace {
 
 /// The guide goes on by where things stood, for as long as the last sighting of the knot counts.
-TEST_F(Guide, GoesOnByALostRegistrationForAWhile) {
+TEST_F(Guide, GoesOnWhenTheRegistrationIsLost) {
   manager_.disconnect("Guide/Registration");
   pass(50ms);
   EXPECT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
@@ -25,7 +25,7 @@ TEST_F(Guide, GoesOnByALostRegistrationForAWhile) {
   expectThatBothFollow();
 }
 
-TEST_F(Guide, DoesNotBeginByARegistrationThatIsOld) {
+TEST_F(Guide, AnOldRegistrationBeginsNothing) {
   registerLate(400ms);
   pass(100ms);
   EXPECT_EQ(guide_.guidance_state(), GuidanceState::Guiding) << "it goes on";
@@ -39,7 +39,7 @@ TEST_F(Guide, DoesNotBeginByARegistrationThatIsOld) {
   expectThatBothFollow();
 }
 
-TEST_F(Guide, DoesNotBeginAnewByARegistrationThatIsOld) {
+TEST_F(Guide, AnOldRegistrationBeginsNothingAnew) {
   registerLate(400ms);
   pass(100ms);
   ASSERT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
@@ -57,7 +57,7 @@ TEST(Registration, RefusesFramesThatAreNotRigid) {
 }
 
 /// No registration says where the camera was when the picture was taken.
-TEST_F(Guide, SeesNothingInPicturesFromBeforeTheRegistration) {
+TEST_F(Guide, SeesNothingInUnregisteredPictures) {
   RegistrationTable moved{[] {
     SceneFrames frames;
     frames.camera.translation().x() = 0.05;
@@ -76,7 +76,7 @@ TEST_F(Guide, SeesNothingInPicturesFromBeforeTheRegistration) {
 }
 
 /// The arms have not moved; only what is known of them has changed.
-TEST_F(Guide, MovesNoSlaveWhenABaseIsCorrected) {
+TEST_F(Guide, ACorrectedBaseMovesNoSlave) {
   RegistrationTable corrected{[] {
     SceneFrames frames;
     frames.left_base.translation().y() = 0.002;
@@ -102,7 +102,7 @@ TEST_F(Guide, MovesNoSlaveWhenABaseIsCorrected) {
 }
 
 /// A master that rests sends no goals, so its arm accepts another base.
-TEST_F(Guide, MovesNoSlaveWhenTheBaseOfARestingMasterIsMoved) {
+TEST_F(Guide, ARestingMastersBaseMovesNoSlave) {
   for (const std::size_t master : {0, 1}) {
     const Vector3d leftHeld = left(), rightHeld = right();
     arms_[master].rebase({0.05, 0, 0});
@@ -161,13 +161,13 @@ class TurnedGuide : public Guide {
   SceneFrames frames_ = turnedScene();
 };
 
-TEST_F(TurnedGuide, SlavesMoveInThePictureAsTheHandsDo) {
+TEST_F(TurnedGuide, SlavesMoveAsTheHandsDo) {
   expectThatBothGoAsTheHands({0.01, 0, 0});
   expectThatBothGoAsTheHands({0, 0.01, 0});
   expectThatBothGoAsTheHands({0, 0, -0.01});
 }
 
-TEST_F(TurnedGuide, SlavesTurnInThePictureAsTheHandsDo) {
+TEST_F(TurnedGuide, SlavesTurnAsTheHandsDo) {
   const Eigen::Matrix3d before = frames_.right_base.linear() * arms_[3].pose().linear();
   const Eigen::AngleAxisd turned(0.3, frames_.display.linear().col(2));
   const Eigen::Matrix3d base = frames_.right_master.linear();
@@ -180,7 +180,7 @@ TEST_F(TurnedGuide, SlavesTurnInThePictureAsTheHandsDo) {
                   .isApprox(expected.toRotationMatrix() * before, 1e-9));
 }
 
-TEST_F(TurnedGuide, FollowsInThePictureOfAMovedCamera) {
+TEST_F(TurnedGuide, FollowsThePictureOfAMovedCamera) {
   expectThatBothGoAsTheHands({0.01, 0, 0});
   turn(frames_.camera, {0, 0, -0.05}, 0.8, {0, 0.2, 1});
   const Vector3d leftHeld = left(), rightHeld = right();

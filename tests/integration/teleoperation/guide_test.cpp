@@ -22,7 +22,7 @@ double angleOf(const Eigen::Isometry3d& pose) {
 
 TEST_F(Guide, HasBothSlavesFollowTheirMasters) { expectThatBothFollow(); }
 
-TEST_F(Guide, HoldsBothSlavesWhileTheDataOfAnyArmAreOld) {
+TEST_F(Guide, OldDataHoldBothSlaves) {
   for (ScriptedArm& arm : arms_) {
     arm.beSilent(true);
     ASSERT_TRUE(becomes(GuidanceState::Preparing));
@@ -49,7 +49,7 @@ TEST_F(Guide, TellsBothSlavesOnceToHold) {
   EXPECT_EQ(arms_[3].holds(), 1u);
 }
 
-TEST_F(Guide, HoldsBothSlavesWhileTheKnotIsUnseen) {
+TEST_F(Guide, AnUnseenKnotHoldsBothSlaves) {
   eyes_.covered = true;
   ASSERT_TRUE(becomes(GuidanceState::Blind));
   pass(2ms);
@@ -65,7 +65,7 @@ TEST_F(Guide, HoldsBothSlavesWhileTheKnotIsUnseen) {
   expectThatBothFollow();
 }
 
-TEST_F(Guide, BeginsAnewWhereASlaveRefusesItsGoals) {
+TEST_F(Guide, BeginsAnewWhereASlaveRefuses) {
   arms_[3].place(Eigen::Translation3d(0.02, 0, 0) * arms_[3].pose());
   arms_[3].refuseStepsBeyond(0.003);
   const Vector3d before = right();
@@ -95,7 +95,7 @@ TEST_F(Guide, BeginsAnewAfterItWasSuspended) {
   expectThatBothFollow();
 }
 
-TEST_F(Guide, DoesNotSayThatItGuidesWhileItIsSuspended) {
+TEST_F(Guide, IsNotGuidingWhileSuspended) {
   manager_.suspend("Guide");
   EXPECT_TRUE(becomes(GuidanceState::Preparing));
   EXPECT_FALSE(guide_.progress().valid);
@@ -106,7 +106,7 @@ TEST_F(Guide, DoesNotSayThatItGuidesWhileItIsSuspended) {
   EXPECT_TRUE(becomes(GuidanceState::Guiding));
 }
 
-TEST_F(Guide, StopsAnArmOnItsWayHomeWhenItIsSuspendedOrDisabled) {
+TEST_F(Guide, SuspendingStopsAnArmOnItsWay) {
   arms_[2].forgetHome();
   ASSERT_TRUE(becomes(GuidanceState::Preparing));
   guide_.enable();
@@ -139,7 +139,7 @@ TEST_F(Guide, HoldsAndIsDisabledAfterAFault) {
 }
 
 /// Its reads go on while its commands wait for the operator.
-TEST_F(Guide, IsNotGuidingWhileASlaveTakesNoGoals) {
+TEST_F(Guide, IsNotGuidingWithoutTheSlavesGoals) {
   manager_.disconnect("Guide/RightSlave");
   manager_.connect("Guide/RightSlave", "RightSlave/Arm",
                    {.contract = {.maxAge = 20ms, .resume = suture::Resume::Operator}});
@@ -191,7 +191,7 @@ TEST_F(Guide, LeadsNoSlaveBeyondItsJoints) {
 }
 
 /// A knot that is estimated by them is behind the tips that are led.
-TEST_F(Guide, KeepsTheKnotInItsCorridorThoughSlavesAnswerLate) {
+TEST_F(Guide, LateSlavesKeepTheKnotInside) {
   const GuideParameters corridor;
   eyes_.seen_.knot.x() = 0.02;
   for (ScriptedArm* slave : {&arms_[2], &arms_[3]}) slave->answerLate(15);
@@ -224,7 +224,7 @@ TEST_F(Guide, TurnsNoSlaveBeyondItsJoints) {
 }
 
 /// A camera that is moved must not let the tool catch up with a hand beyond its joints.
-TEST_F(Guide, TurnsNoSlaveBeyondItsJointsWhenTheCameraIsMoved) {
+TEST_F(Guide, AMovedCameraOverstretchesNoSlave) {
   arms_[2].beAGantryAbove(-1);
   arms_[2].turnUpTo(0.1);
   pass(10ms);
@@ -237,7 +237,7 @@ TEST_F(Guide, TurnsNoSlaveBeyondItsJointsWhenTheCameraIsMoved) {
 }
 
 /// Its joints are about its base, and its poses in the frame in which somebody has set that.
-TEST_F(Guide, LeadsNoSlaveBeyondItsJointsWhoseBaseWasSet) {
+TEST_F(Guide, AMovedBaseOverreachesNoSlave) {
   constexpr double kLimit = -0.035;
   arms_[2].beAGantryAbove(kLimit);
   arms_[2].hangUpsideDown();
@@ -268,7 +268,7 @@ TEST_F(Guide, ARefusingSlaveDisablesIt) {
   }
 }
 
-TEST_F(Guide, IsDisabledWhenAnArmDoesNotBecomeReadyInTime) {
+TEST_F(Guide, IsDisabledWhenAnArmStaysUnready) {
   arms_[3].beSilent(true);
   ASSERT_TRUE(becomes(GuidanceState::Preparing));
   pass(kPreparationLimit - 100ms);

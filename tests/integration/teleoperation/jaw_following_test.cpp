@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, JawFollowing,
                                          suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(JawFollowing, FollowsTheGripperAndIsSlowAfterAnEntry) {
+TEST_P(JawFollowing, FollowsSlowlyAfterAnEntry) {
   ASSERT_TRUE(reaches(TeleopState::Following));
   ASSERT_TRUE(surgeon_.hand.squeeze(0.5));
   pass(3s);
@@ -116,7 +116,7 @@ TEST_P(JawFollowing, FollowsTheGripperAndIsSlowAfterAnEntry) {
   EXPECT_NEAR(jaw(), 0.2, 0.01);
 }
 
-TEST_P(JawFollowing, IsSlowAfterAPauseInWhichTheFingersMoved) {
+TEST_P(JawFollowing, IsSlowAfterAPause) {
   ASSERT_TRUE(reaches(TeleopState::Following));
   ASSERT_TRUE(surgeon_.hand.squeeze(0.5));
   pass(3s);
@@ -178,7 +178,7 @@ class FollowedJaw : public TeleopStates {
   Fingers fingers_;
 };
 
-TEST_F(FollowedJaw, IsNotLedByAGripperOfTheFuture) {
+TEST_F(FollowedJaw, AGripperOfTheFutureLeadsNothing) {
   startFollowing();
   connectFingers();
   EXPECT_GT(goalsIn(20ms), 0);

@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, Knot,
                                          suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(Knot, ComesToItsTargetThoughBothHandsSwayAndMiss) {
+TEST_P(Knot, ComesToItsTargetWithSwayingHands) {
   begin(guided());
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
   suture::pass(6s);
@@ -189,7 +189,7 @@ TEST_P(UnguidedKnot, IsCarriedOnAfterAnInterruption) {
   EXPECT_NEAR(leftMaster_.arm.motion().setpoint_cp().pose.translation().z() - start, -0.07, 1e-6);
 }
 
-TEST_P(Knot, AGoneGuideIsNotRecordedAsGuiding) {
+TEST_P(Knot, AGoneGuideIsNotGuiding) {
   begin(guided());
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
   suture::pass(100ms);

@@ -104,14 +104,14 @@ TEST_F(OldData, ATooFarGoalEndsFollowing) {
   scene_.expectNoJump([] {});
 }
 
-TEST_F(OldData, ANewLinkLeavesTheSlaveWhereItIs) {
+TEST_F(OldData, ANewLinkMovesNoSlave) {
   manager_.disconnect("Teleop/Slave");
   pass(5ms);
   EXPECT_EQ(scene_.goalsIn(50ms), 0u);
   scene_.expectNoJump([&] { manager_.connect("Teleop/Slave", "PSM/Arm"); });
 }
 
-TEST_F(OldData, ANewDelayedLinkLeavesTheSlaveWhereItIs) {
+TEST_F(OldData, ANewDelayedLinkMovesNoSlave) {
   manager_.disconnect("Teleop/Slave");
   pass(5ms);
   scene_.expectNoJump([&] {
@@ -206,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, LostLink,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(LostLink, ItsReturnLeavesTheSlaveWhereItIs) {
+TEST_P(LostLink, ItsReturnMovesNoSlave) {
   ASSERT_TRUE(suture::clockOfTest().until([&] { return scene_.goalsIn(50ms) > 40; }));
   robotsProcess_.freeze();
   pass(300ms);

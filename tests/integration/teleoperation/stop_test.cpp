@@ -149,7 +149,7 @@ TEST_P(Stop, StopsAllDrivesWithinThreeMilliseconds) {
   EXPECT_TRUE(allAre(ArmState::Disabled));
 }
 
-TEST_P(Stop, IsNotUndoneByAnArmOrByItsRelease) {
+TEST_P(Stop, NeitherArmsNorReleaseUndoIt) {
   beginMoving();
   ASSERT_TRUE(panel_.button.press());
   pass(10ms);
@@ -166,7 +166,7 @@ TEST_P(Stop, IsNotUndoneByAnArmOrByItsRelease) {
   beginMoving();
 }
 
-TEST_P(Stop, StopsDrivesThoughItIsReleasedAtOnce) {
+TEST_P(Stop, ABriefStopStopsTheDrives) {
   beginMoving();
   ASSERT_TRUE(panel_.button.press());
   ASSERT_TRUE(panel_.button.release());
@@ -210,7 +210,7 @@ TEST_P(StopAcross, StopsDrivesWhoseCoordinatorStandsStill) {
   EXPECT_TRUE(allAre(ArmState::Disabled));
 }
 
-TEST_P(StopAcross, IsPressedAfterASuspensionInWhichNobodyCouldPressIt) {
+TEST_P(StopAcross, IsPressedAfterASuspension) {
   beginMoving();
   desksProcess_.run([this] { desk_.suspend("Coordinator"); });
   pass(50ms);
@@ -220,7 +220,7 @@ TEST_P(StopAcross, IsPressedAfterASuspensionInWhichNobodyCouldPressIt) {
   expectStoppedUntilReleased();
 }
 
-TEST_P(StopAcross, IsPressedAfterAPauseInWhichAPressMayBeLost) {
+TEST_P(StopAcross, IsPressedAfterALongPause) {
   beginMoving();
   desksProcess_.freeze();
   pass(1550ms);
@@ -232,7 +232,7 @@ TEST_P(StopAcross, IsPressedAfterAPauseInWhichAPressMayBeLost) {
 }
 
 // The connection's silence is shorter than the pause, so the press that was accepted is lost.
-TEST_P(StopAcross, IsPressedIfAPressIsLostInAShorterPause) {
+TEST_P(StopAcross, IsPressedWhenAPressIsLost) {
   beginMoving();
   desksProcess_.freeze();
   pass(100ms);
@@ -244,7 +244,7 @@ TEST_P(StopAcross, IsPressedIfAPressIsLostInAShorterPause) {
   expectStoppedUntilReleased();
 }
 
-TEST_P(StopAcross, IsReleasedByAClientThatCameAfterAPauseAndWentSoon) {
+TEST_P(StopAcross, ALateClientReleasesIt) {
   left_.disconnect("Panel/Stop");
   pass(50ms);
   desksProcess_.freeze();

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using suture::pass;
 
 // Each time it has had time to come back to the middle of its path, and is somewhere else on it.
-TEST(Surgeon, StaysAroundWhereItBeganThoughItSetsOutAnew) {
+TEST(Surgeon, StaysAroundItsBeginning) {
   ScriptedArm master;
   Surgeon surgeon{SurgeonParameters{}};
   suture::Manager manager{"console"};

@@ -19,7 +19,7 @@ TEST_F(TeleopRest, ASuspendStopsATurningMaster) {
   EXPECT_TRUE(suture::clockOfTest().until([&] { return master_.holds() == 1; }));
 }
 
-TEST_F(TeleopRest, ASuspendStopsAnArmOnItsWayHome) {
+TEST_F(TeleopRest, SuspendingStopsAnArmOnItsWay) {
   slave_.forgetHome();
   start();
   ASSERT_TRUE(suture::clockOfTest().until([&] { return slave_.homes() == 1; }));
@@ -43,7 +43,7 @@ TEST_F(TeleopRest, DisablingStopsAnArmThatItHomes) {
   EXPECT_EQ(master_.homes(), 1u);
 }
 
-TEST_F(TeleopRest, DisablingLeavesAnArmThatSomebodyElseHomes) {
+TEST_F(TeleopRest, DisablingLeavesAnArmOfAnother) {
   slave_.forgetHome();
   slave_.home();
   start();
@@ -57,7 +57,7 @@ TEST_F(TeleopRest, DisablingLeavesAnArmThatSomebodyElseHomes) {
 }
 
 /// It must not go on by itself, because nobody knows yet why it faulted.
-TEST_F(TeleopRest, AFaultStopsTheSlaveAndDisablesIt) {
+TEST_F(TeleopRest, AFaultStopsAndDisablesTheSlave) {
   startFollowing();
   teleop_->parkSoonOnThrow([] { throw std::runtime_error("a bad number"); });
   ASSERT_TRUE(suture::clockOfTest().until([&] { return slave_.holds() == 1; }));

@@ -32,7 +32,7 @@ TEST_F(TeleopStates, AlignmentWaitsForTheRegistration) {
   EXPECT_TRUE(reaches(TeleopState::Following));
 }
 
-TEST_F(TeleopStates, TheMasterIsAlignedBeforeTheSlaveFollows) {
+TEST_F(TeleopStates, TheMasterIsAlignedFirst) {
   startFollowing();
   using enum TeleopState;
   const std::vector<TeleopState> told = operator_.told();
@@ -67,7 +67,7 @@ TEST_F(TeleopStates, AStuckMasterDisablesIt) {
   EXPECT_EQ(master_.holds(), 1u) << "it may still be on its way";
 }
 
-TEST_F(TeleopStates, ArmsThatDoNotBecomeReadyDisableInTime) {
+TEST_F(TeleopStates, UnreadyArmsDisableItInTime) {
   slave_.beSilent(true);
   start({.preparation_limit = 5s});
   ASSERT_TRUE(reaches(TeleopState::Preparing));
@@ -75,7 +75,7 @@ TEST_F(TeleopStates, ArmsThatDoNotBecomeReadyDisableInTime) {
   EXPECT_NE(operator_.error.find("not become ready"), std::string::npos) << operator_.error;
 }
 
-TEST_F(TeleopStates, AnOperatorWhoEnablesItAgainGivesItMoreTime) {
+TEST_F(TeleopStates, EnablingAgainGivesItMoreTime) {
   slave_.beSilent(true);
   start({.preparation_limit = 5s});
   ASSERT_TRUE(reaches(TeleopState::Preparing));
@@ -86,7 +86,7 @@ TEST_F(TeleopStates, AnOperatorWhoEnablesItAgainGivesItMoreTime) {
   EXPECT_TRUE(reaches(TeleopState::Disabled));
 }
 
-TEST_F(TeleopStates, TheClutchLeavesTheSlaveWhereItIs) {
+TEST_F(TeleopStates, TheClutchMovesNoSlave) {
   startFollowing();
   console_.clutch = true;
   expectClutchedUntil([&] { console_.clutch = false; });
@@ -117,7 +117,7 @@ TEST_F(TeleopStates, SoDoPedalsOfTheFuture) {
   expectClutchedUntil([&] { console_.ahead = 0; });
 }
 
-TEST_F(TeleopStates, AMasterOfTheFutureIsNotFollowed) {
+TEST_F(TeleopStates, AMasterOfTheFutureLeadsNothing) {
   startFollowing();
   master_.stampAhead(1s);
   ASSERT_TRUE(reaches(TeleopState::Preparing));
@@ -127,7 +127,7 @@ TEST_F(TeleopStates, AMasterOfTheFutureIsNotFollowed) {
   EXPECT_TRUE(reaches(TeleopState::Following));
 }
 
-TEST_F(TeleopStates, AMasterTurnedWithTheClutchIsAlignedAnew) {
+TEST_F(TeleopStates, ATurnedMasterIsAlignedAnew) {
   startFollowing();
   console_.clutch = true;
   ASSERT_TRUE(reaches(TeleopState::Clutched));
@@ -151,7 +151,7 @@ TEST_F(TeleopStates, AnotherScaleDoesNotMoveTheSlave) {
 }
 
 /// A master that rests sends no goals, so its arm accepts another base.
-TEST_F(TeleopStates, AnotherBaseOfARestingMasterDoesNotMoveTheSlave) {
+TEST_F(TeleopStates, ARestingMastersBaseMovesNoSlave) {
   startFollowing();
   const Isometry3d held = slave_.pose();
   master_.rebase({0.05, 0, 0});
@@ -233,7 +233,7 @@ TEST_F(TeleopStates, AnOldRegistrationBeginsNothing) {
   EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
 }
 
-TEST_F(TeleopStates, ARotationOfSixDigitsIsMadeExact) {
+TEST_F(TeleopStates, ARoundedRotationIsMadeExact) {
   startFollowing();
   Isometry3d camera = Isometry3d::Identity();
   camera.linear().topLeftCorner<2, 2>() << 0.707107, -0.707107, 0.707107, 0.707107;
@@ -256,14 +256,14 @@ TEST_F(TeleopStates, ARefusingSlaveDisablesIt) {
 }
 
 /// An arm tells all clients what it refuses any of them.
-TEST_F(TeleopStates, AnotherClientsRefusedCommandDoesNotDisableIt) {
+TEST_F(TeleopStates, AnotherClientsRefusalDisablesNothing) {
   startFollowing();
   slave_.warn(ArmWarning::Malformed);
   pass(50ms);
   EXPECT_EQ(operator_.state(), TeleopState::Following);
 }
 
-TEST_F(TeleopStates, AMasterThatTellsNoRigidPoseIsNotFollowed) {
+TEST_F(TeleopStates, AMasterWithoutRigidPoseLeadsNothing) {
   startFollowing();
   Isometry3d bent = master_.pose();
   bent.linear()(0, 1) += 1e-3;
@@ -283,7 +283,7 @@ TEST_F(TeleopStates, ASmallTurnDoesNotEndFollowing) {
   EXPECT_TRUE(slave_.pose().isApprox(poseAt({0.3, 0, 0}, -0.4), 1e-9)) << "it jumped";
 }
 
-TEST_F(TeleopStates, ARotationThatIsNoneIsNotRegistered) {
+TEST_F(TeleopStates, AnInvalidRotationIsNotRegistered) {
   startFollowing();
   Isometry3d mirrored = Isometry3d::Identity();
   mirrored.linear().col(0) *= -1;

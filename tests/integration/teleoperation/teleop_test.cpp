@@ -82,7 +82,7 @@ void followArmsThatAreUp(Workstation& station) {
   ASSERT_TRUE(reaches(station, TeleopState::Following));
 }
 
-TEST(Teleop, LeavesAnArmDisabledThatItFoundEnabled) {
+TEST(Teleop, DisablesNoArmThatItFoundEnabled) {
   Workstation station({.enable_at_start = false});
   ASSERT_NO_FATAL_FAILURE(followArmsThatAreUp(station));
   ASSERT_TRUE(station.client.slave.disable());
@@ -137,7 +137,7 @@ TEST(Teleop, LeavesAnArmDisabledWhosePermitLapsed) {
 }
 
 /// An operator who enables arms that are up decides nothing about a disable that comes later.
-TEST(Teleop, LeavesAnArmDisabledAfterItWasEnabledTwice) {
+TEST(Teleop, ASecondEnableDisablesNoArm) {
   Workstation station({.scale = 0.4});
   station.manager.start();
   ASSERT_TRUE(reaches(station, TeleopState::Following));
@@ -172,7 +172,7 @@ TEST(Teleop, RefusesAnImpossibleAge) {
   }
 }
 
-TEST(Teleop, RefusesAScaleThatIsNotAboveZero) {
+TEST(Teleop, RefusesANonPositiveScale) {
   for (const double scale : {0.0, -0.2}) {
     try {
       Teleop teleop({.scale = scale});

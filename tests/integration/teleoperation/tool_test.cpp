@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, Tool,
                                          suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(Tool, AGripperThatIsSqueezedIsMeasuredAndCloses) {
+TEST_P(Tool, ASqueezedGripperIsMeasured) {
   EXPECT_TRUE(fingers_.hand.squeeze(0.4));
   pass(300ms);
   EXPECT_NEAR(gripper(), 0.4, 1e-6);

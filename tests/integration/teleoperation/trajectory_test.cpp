@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Wirings, Trajectory,
 /// This comes on top of latency: how the cycles of tasks lie to each other, s.
 constexpr double kCycle = 0.001;
 
-TEST_P(Trajectory, IsThatOfOneProcessWithinWhatItsLatencyExplains) {
+TEST_P(Trajectory, IsThatOfOneProcessWithinLatency) {
   const auto& [lane, delay] = GetParam();
   const RecordedRun one(suture::Lane::Auto, 0ms), other(lane, delay);
   double apart = 0, mastersApart = 0;
