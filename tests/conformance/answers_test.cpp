@@ -28,7 +28,7 @@ TEST_P(Answers, SeveralArgumentsArriveInTheirPlaces) {
   EXPECT_TRUE(eventuallyTaken({"limit 12 enabled", "limit 7 disabled"}));
 }
 
-TEST_P(WireAnswers, AWriteWithReturnIsExecutedAndAnswers) {
+TEST_P(WireAnswers, AWriteWithReturnRunsAndAnswers) {
   client->with([&](Arm& remote) {
     const auto fast = remote.move.start(poseAt(3), 0.75, "a hurry").within(kPatience);
     ASSERT_TRUE(fast) << suture::toString(fast.error());
@@ -52,7 +52,7 @@ TEST_P(Answers, AVoidWithReturnAnswers) {
   });
 }
 
-TEST_P(Answers, TheyKeepTheOrderOfTheOtherCommands) {
+TEST_P(Answers, TheyKeepTheOrderOfOtherCommands) {
   client->with([&](Arm& remote) {
     EXPECT_TRUE(remote.hold());
     EXPECT_TRUE(remote.servo_cp(poseAt(1)));
@@ -94,7 +94,7 @@ TEST_P(QueuedAnswers, ATooLargeArgumentIsRefused) {
 }
 
 // The sender is told at once, also by a command that awaits no answer, and hears what was wrong.
-TEST_P(JudgedArguments, InvalidArgumentsAreRefusedWhereTheyAreSent) {
+TEST_P(JudgedArguments, InvalidArgumentsAreRefusedAtTheSender) {
   client->with([](Arm& remote) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const auto unknown = static_cast<Mode>(77);

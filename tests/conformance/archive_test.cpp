@@ -87,7 +87,7 @@ TEST_P(Archives, WritesArriveWhole) {
   EXPECT_EQ(device.newest().name, "first");
 }
 
-TEST_P(Archives, AValueWithoutRoomIsRefusedAndFreed) {
+TEST_P(Archives, AValueWithoutRoomIsFreed) {
   int taken = 0, refused = 0;
   for (int i = 0; i < 200; ++i) {
     reader.archive.put("key", sized(100)) ? ++taken : ++refused;

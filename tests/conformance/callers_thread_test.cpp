@@ -42,7 +42,7 @@ TEST_P(CallersThread, AConcurrentReadIsAnsweredThere) {
   });
 }
 
-TEST_P(CallersThreadAndATask, CallersDoNotWaitForABusyProvider) {
+TEST_P(CallersThreadAndATask, CallersDoNotAwaitABusyProvider) {
   stall();
   client->withGripper([](Gripper& remote) {
     auto released = remote.release.start();

@@ -37,7 +37,7 @@ TEST_P(QueuedCalls, OnlyACancelledCallIsNotExecuted) {
   EXPECT_EQ(arm->taken(), expected);
 }
 
-TEST_P(QueuedCalls, OneThatIsBeingExecutedCannotBeCancelled) {
+TEST_P(QueuedCalls, ARunningCallCannotBeCancelled) {
   using Moved = decltype(std::declval<Arm&>().move.start(poseAt(1), 1, ""));
   std::optional<Moved> call;
   arm->gate().close();

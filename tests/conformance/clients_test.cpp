@@ -32,7 +32,7 @@ TEST_P(Clients, EachConnectionAndItsEndAreTold) {
 
 class WireClientProcesses : public Clients {};
 
-TEST_P(WireClientProcesses, TheEndOfAClientIsToldOnce) {
+TEST_P(WireClientProcesses, AClientsEndIsToldOnce) {
   EXPECT_TRUE(eventuallyTold({named(" connected")}));
   endClientsProcess();
   const Lines gone{named(" connected"), named(" closed")};

@@ -60,7 +60,7 @@ TEST_P(QueuedCommands, ATooLargeArgumentIsRefused) {
   });
 }
 
-TEST_P(Commands, AReadIsNotYetThereAndThenIs) {
+TEST_P(Commands, AReadIsNotYetThere) {
   client->with([&](Arm& remote) {
     EXPECT_TRUE(remote.servo_cp.start(poseAt(5)).within(kPatience));
     const auto first =
@@ -96,7 +96,7 @@ TEST_P(WireCommands, AReadFollowsTheProvider) {
   }
 }
 
-TEST_P(Commands, AFreshReadIsEvaluatedForTheCall) {
+TEST_P(Commands, EachFreshReadIsEvaluated) {
   client->with([](Arm& remote) {
     for (int x = 1; x <= 20; ++x) {
       EXPECT_TRUE(remote.servo_cp.start(poseAt(x)).within(kPatience));
@@ -108,7 +108,7 @@ TEST_P(Commands, AFreshReadIsEvaluatedForTheCall) {
 }
 
 // The way back to the client is part of its age.
-TEST_P(QueuedWireCommands, AFreshReadIsStampedWhereItIsEvaluated) {
+TEST_P(QueuedWireCommands, TheProviderStampsAFreshRead) {
   client->with([this](Arm& remote) {
     const suture::Time asked = suture::now();
     const auto pose = remote.measured_cp.fresh().within(kPatience);

@@ -122,7 +122,7 @@ TEST_P(DirectEvents, ALatchedValueIsReplayed) {
   EXPECT_TRUE(await([&] { return handled == 1; }));
 }
 
-TEST_P(DirectEvents, ASuspendedSubscriberHandlesThemWhenItIsResumed) {
+TEST_P(DirectEvents, ASuspendedSubscriberHandlesThemWhenResumed) {
   client->with([&](Arm& remote) { EXPECT_TRUE(remote.on().stopped.direct([&] { ++handled; })); });
   settle();
   client->component().request(suture::Transition::Suspend);
@@ -135,7 +135,7 @@ TEST_P(DirectEvents, ASuspendedSubscriberHandlesThemWhenItIsResumed) {
   EXPECT_TRUE(await([&] { return handled == 1; }));
 }
 
-TEST_P(DirectEvents, AClientWithADirectHandlerDoesNotWait) {
+TEST_P(DirectEvents, ADirectHandlerKeepsNoClientWaiting) {
   client->with([&](Arm& remote) {
     auto armed = remote.on().stopped.next();
     EXPECT_TRUE(remote.on().stopped.direct([] {}));

@@ -9,7 +9,7 @@ namespace {
 class Events : public Conformance {};
 class WireEvents : public Conformance {};
 
-TEST_P(Events, ArriveWithAsManyValuesAsTheyHave) {
+TEST_P(Events, ArriveWithAllTheirValues) {
   arm->emitSoon([](Ports ports) { ports.arm.emit().stopped(); });
   EXPECT_TRUE(client->await([](const Received& received) { return received.stops == 1; }));
   arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().arrived(poseAt(4))); });
@@ -48,7 +48,7 @@ TEST_P(Events, InvalidValuesReachNoHandler) {
 
 // A client that was told of a mode that no longer holds, and of nothing after it, would act on it
 // for ever.
-TEST_P(Events, AFullQueueKeepsTheLastLatchedValue) {
+TEST_P(Events, AFullQueueKeepsTheLatchedValue) {
   constexpr std::size_t kEmitted = 200;
   client->with([this](Arm& remote) {
     arm->emitSoon([](Ports ports) {

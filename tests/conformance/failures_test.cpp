@@ -18,7 +18,7 @@ class Endings : public Conformance {};
 /// The provider is a task: a device would have to end inside its own handler.
 class EndingsOfTasks : public Conformance {};
 
-TEST_P(Failures, AHandlerThatThrowsParksItsComponentOnly) {
+TEST_P(Failures, AThrowingHandlerParksOnlyItsComponent) {
   arm->at([](ArmComponent& one) { one.throwOnEnable = true; });
   client->with([](Arm& remote) {
     const auto answer = remote.set_mode.start(Mode::Enabled).within(kPatience);
@@ -38,7 +38,7 @@ TEST_P(Failures, AHandlerThatThrowsParksItsComponentOnly) {
   EXPECT_NE(client->component().state(), suture::ComponentState::Faulted);
 }
 
-TEST_P(Failures, ASuspendedProviderSaysSoUntilItIsResumed) {
+TEST_P(Failures, ASuspendedProviderSaysSo) {
   const auto answer = [&] {
     Errc error{};
     client->with([&](Arm& remote) {
@@ -93,7 +93,7 @@ TEST_P(Endings, AProviderThatEndsIsLost) {
   }));
 }
 
-TEST_P(EndingsOfTasks, AWaitingCallIsNotExecutedAfterTheEnd) {
+TEST_P(EndingsOfTasks, AWaitingCallIsNotExecutedLater) {
   stall();
   using Distance = decltype(std::declval<Arm&>().distance.start(poseAt(1)));
   std::optional<Distance> behind;

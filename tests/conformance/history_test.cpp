@@ -31,7 +31,7 @@ class WireHistory : public History {};
 /// The provider is called where its client runs, and so has no past.
 class NoHistory : public History {};
 
-TEST_P(WireHistory, AReadOfThenTellsWhatWasThen) {
+TEST_P(WireHistory, AReadOfThePastTellsIt) {
   const suture::Time first = moveTo(1);
   const suture::Time second = moveTo(2);
   client->with([&](Arm& port) {

@@ -83,7 +83,7 @@ TEST_P(NextEvents, NeedsNoHandler) {
   });
 }
 
-TEST_P(NextEvents, TheReplayOfALatchedOneIsNotCounted) {
+TEST_P(NextEvents, AReplayIsNotCounted) {
   client->with([&](Arm& remote) {
     EXPECT_TRUE(remote.on().mode.reset());
     auto stopped = remote.on().stopped.next();

@@ -39,7 +39,7 @@ TEST_P(Order, HoldThenServoEndsInServo) {
   EXPECT_TRUE(eventuallyTaken({"disable", "hold", "servo_cp 1"}));
 }
 
-TEST_P(Order, TwoNewestWinsCommandsRunInTheOrderSent) {
+TEST_P(Order, NewestWinsCommandsRunInSendingOrder) {
   whileStalled([](Arm& remote) {
     EXPECT_TRUE(remote.servo_cp(poseAt(1)));
     EXPECT_TRUE(remote.servo_jp(JointState{{}, {1, 2}}));
@@ -89,7 +89,7 @@ TEST_P(WireOrder, FullIsToldToTheCaller) {
   }));
 }
 
-TEST_P(Order, ACallEndsAtItsDeadlineAndSaysSo) {
+TEST_P(Order, ACallEndsAtItsDeadline) {
   whileStalled([](Arm& remote) {
     const suture::Time begin = suture::now();
     const auto answer = remote.distance.start(poseAt(1)).within(20ms);
@@ -102,7 +102,7 @@ TEST_P(Order, ACallEndsAtItsDeadlineAndSaysSo) {
 }
 
 // The producer races the drain: after every burst the provider ends in the last command sent.
-TEST_P(WireOrder, EndsInTheLastCommandSentHoweverTheyRace) {
+TEST_P(WireOrder, EndsInTheLastCommandSent) {
   for (int burst = 1; burst <= 200; ++burst) {
     const bool endsInHold = burst % 2 == 0;
     client->with([&](Arm& remote) {

@@ -28,7 +28,7 @@ class Room : public Conformance {
   }
 };
 
-TEST_P(Room, IsWhatMayBeSentBeforeTheQueueIsFull) {
+TEST_P(Room, IsWhatMayStillBeSent) {
   fill();
   client->with([](Arm& remote) {
     EXPECT_TRUE(remote.servo_cp(poseAt(1)));

@@ -66,7 +66,7 @@ const std::pair<const char*, Keep> kKeeps[] = {
     {"connections without faults", [](const Row& row) { return row.filter != Filter::Faults; }},
 };
 
-TEST(Rows, CoverEveryPairOfLaneKindProviderAndClient) {
+TEST(Rows, CoverEveryPairOfProviderAndClient) {
   for (const auto& [which, keep] : kKeeps) {
     expectAll(lanePairs(kept(everyLaneRow(), keep)), lanePairs(laneRows(keep)), which);
     expectAll(lanePairs(kept(everyRow(), keep)), lanePairs(wireRows(keep)), which);
@@ -89,7 +89,7 @@ TEST(Rows, DelayEachLane) {
             (std::set<std::string>{"DelayedLocal", "DelayedShm", "DelayedFrame", "DelayedRpc"}));
 }
 
-TEST(Rows, LoseOnEachLaneInOneProcessAndInTwo) {
+TEST(Rows, IncludeALossOnEachLane) {
   expectAll(lanePairs(everyLossyRow()), lanePairs(lossyRows()), "lossy ones");
   expectAll(wirePairs(everyLossyRow()), wirePairs(lossyRows()), "lossy ones");
   EXPECT_TRUE(wirePairs(lossyRows()).contains({"LossyRpc", "InTwoProcesses"}));
@@ -111,7 +111,7 @@ void forEachCase(const std::function<void(const std::string&, const Row&)>& look
 }
 
 // A filter that leaves out more than it means would do so in silence.
-TEST(Rows, LeaveNoLaneOutButWhereThisListSaysSo) {
+TEST(Rows, LeaveOutOnlyTheListedLanes) {
   const std::set<std::string> all = {"Local", "Shm", "Frame", "Rpc", "Delayed", "Faulty"};
   const std::map<std::string, std::set<std::string>> fewer = {
       {"Lanes/CallersThreadAndATask", {"Local"}},
@@ -144,7 +144,7 @@ TEST(Rows, ADozenScenariosMeetEachWireRow) {
 }
 
 // Their number must not grow unseen: three presets run each of them, and the long tests the cross.
-TEST(Rows, MakeNoMoreCasesThanIsSaidHere) {
+TEST(Rows, MakeNoMoreCasesThanSaid) {
   const int cases = testing::UnitTest::GetInstance()->total_test_count();
   std::printf("%d cases; %zu rows of lanes, %zu of the wire, %zu lossy ones\n", cases,
               laneRows().size(), wireRows().size(), lossyRows().size());

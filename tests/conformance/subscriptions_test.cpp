@@ -50,7 +50,7 @@ TEST_P(Subscriptions, NoHandlerRunsAfterReset) {
       [](const Received& received) { return received.arrivals == std::vector<double>{1}; }));
 }
 
-TEST_P(Subscriptions, AnUnsubscribedEventIsNotSentAnyMore) {
+TEST_P(Subscriptions, AnUnsubscribedEventIsNotSent) {
   client->with([](Arm& remote) { EXPECT_TRUE(remote.on().arrived.reset()); });
   settle();
   const auto before = channel()->events.delivered();
@@ -74,7 +74,7 @@ TEST_P(Subscriptions, QueuedEventsReachNoLaterHandler) {
   EXPECT_EQ(seen(later), std::vector<double>{2});
 }
 
-TEST_P(SubscriptionsToTasks, AnEventOfALaterCommandIsNotMissed) {
+TEST_P(SubscriptionsToTasks, AnEventOfALaterCommandArrives) {
   for (int round = 1; round <= 20; ++round) {
     std::vector<double> arrivals;
     client->with([&](Arm& remote) {
@@ -92,7 +92,7 @@ TEST_P(SubscriptionsToTasks, AnEventOfALaterCommandIsNotMissed) {
   }
 }
 
-TEST_P(WireSubscriptions, ALatchedEventIsReplayedToANewSubscriber) {
+TEST_P(WireSubscriptions, ALatchedEventReachesANewSubscriber) {
   client->with([](Arm& remote) { EXPECT_TRUE(remote.on().mode.reset()); });
   arm->emitSoon([](Ports ports) {
     EXPECT_TRUE(ports.arm.emit().mode(Mode::Disabled));
@@ -111,7 +111,7 @@ TEST_P(WireSubscriptions, ALatchedEventIsReplayedToANewSubscriber) {
   }
 }
 
-TEST_P(Subscriptions, ALatchedValueThatWaitsReachesNoLaterHandler) {
+TEST_P(Subscriptions, WaitingLatchedValuesReachNoLaterHandler) {
   std::vector<Mode> modes;
   client->with([&](Arm& remote) {
     arm->emitSoon([](Ports ports) { EXPECT_TRUE(ports.arm.emit().mode(Mode::Disabled)); });
@@ -143,7 +143,7 @@ TEST_P(Subscriptions, AHandlerMayEndItsOwnSubscription) {
   EXPECT_EQ(seen(arrivals), 1);
 }
 
-TEST_P(Subscriptions, AnotherHandlerTakesThePlaceOfTheFirst) {
+TEST_P(Subscriptions, AnotherHandlerReplacesTheFirst) {
   std::vector<double> arrivals;
   client->with([&](Arm& remote) { listenTo(remote, arrivals); });
   emitArrival(1);

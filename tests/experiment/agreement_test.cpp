@@ -30,7 +30,7 @@ TEST(Agreement, WithoutFixturesItComparesTheTracking) {
   EXPECT_FALSE(agrees(pointWith(placed(9, 0.00341), false)));
 }
 
-TEST(Agreement, AKnotThatIsNotPlacedAgreesWithNone) {
+TEST(Agreement, AnUnplacedKnotAgreesWithNone) {
   Result missed = placed(6, 0.003);
   missed.outcome = Outcome::Misses;
   EXPECT_FALSE(agrees(pointWith(missed, false)));

@@ -37,7 +37,7 @@ TEST(Experiment, TheKnotIsPlacedWithoutADelay) {
   EXPECT_TRUE(line.ends_with(",placed")) << line;
 }
 
-TEST(Experiment, TheKnotIsNotPlacedOverHalfASecond) {
+TEST(Experiment, TheKnotIsNotPlacedBriefly) {
   const Trial trial = freeHands(500ms);
   const Result result = run(trial);
   EXPECT_FALSE(result.time);

@@ -28,7 +28,7 @@ std::vector<Moment> course(const Error& error) {
 
 double swinging(double t, double amplitude) { return amplitude * std::sin(2 * t); }
 
-TEST(Judge, PlacedIsWithinAMillimetreForTwoSeconds) {
+TEST(Judge, PlacedMeansNearForTwoSeconds) {
   const Result result = judge(course([](double t) { return t < 5 ? 0.01 : 0.0005; }));
   EXPECT_EQ(result.outcome, Outcome::Placed);
   EXPECT_NEAR(result.time.value_or(0), 5, 0.002);
@@ -41,7 +41,7 @@ TEST(Judge, PassingTheTargetIsNotPlacing) {
   EXPECT_FALSE(judge(course([](double t) { return swinging(t, 0.005); })).time);
 }
 
-TEST(Judge, TellsSwingsFromSwingsThatGrowAndFromRest) {
+TEST(Judge, TellsSteadySwingsFromGrowingOnes) {
   const auto outcomeOf = [](auto error) { return judge(course(error)).outcome; };
   EXPECT_EQ(outcomeOf([](double t) { return swinging(t, 0.005); }), Outcome::Oscillates);
   EXPECT_EQ(outcomeOf([](double t) { return swinging(t, 0.001 * t); }), Outcome::Diverges);
@@ -55,7 +55,7 @@ TEST(Judge, AnEndedGuideHasPlacedNothing) {
   EXPECT_EQ(judge({}).outcome, Outcome::Unguided);
 }
 
-TEST(Judge, TrackingCountsBothSlavesWhileTheyAreGuided) {
+TEST(Judge, TrackingCountsBothGuidedSlaves) {
   auto moments = course([](double) { return 0.0005; });
   moments[7] = {.error = {0.0005, 0, 0}, .guided = false, .left = 1, .right = 1};
   const Result result = judge(moments);

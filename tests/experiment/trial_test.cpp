@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(Trial, EachWayTakesHalfOfTheRoundTrip) {
+TEST(Trial, EachWayTakesHalfTheRoundTrip) {
   const suture::ConnectionDelay delay =
       delayOf({.roundTrip = 300ms, .jitter = 0.1}, {.period = 1ms}, 1);
   EXPECT_EQ(delay.commands, 150ms);
@@ -21,7 +21,7 @@ TEST(Trial, EachWayTakesHalfOfTheRoundTrip) {
   EXPECT_TRUE(delay.faults.ordered);
 }
 
-TEST(Trial, AStreamRepeatsAfterThreeAcknowledgementsOrItsTimeout) {
+TEST(Trial, AStreamRepeatsAfterAcknowledgementsOrTimeout) {
   EXPECT_EQ(repetitionTime({.roundTrip = 300ms}, {.period = 1ms}), 303ms);
   EXPECT_EQ(repetitionTime({.roundTrip = 300ms}, {.period = 100ms}), 500ms);
 }
@@ -34,9 +34,7 @@ TEST(Trial, ASharedStreamWaitsForLosses) {
   EXPECT_EQ(delay.faults.delayAgain, 0.1);
 }
 
-TEST(Trial, ALinkWithoutDelayJitterAndLossIsNone) {
-  EXPECT_FALSE(delayOf({}, {.period = 1ms}, 1).any());
-}
+TEST(Trial, AnUnimpairedLinkIsNone) { EXPECT_FALSE(delayOf({}, {.period = 1ms}, 1).any()); }
 
 TEST(Trial, TheGridsHaveWhatTheyPromise) {
   EXPECT_EQ(fullGrid().size(), 11u * 2 * 4 * 2 * 2);

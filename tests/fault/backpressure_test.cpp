@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, StoppedTask,
                          testing::Values(Lane::Auto, Lane::Shm, Lane::Frame, Lane::Rpc),
                          nameOfCase);
 
-TEST_P(StoppedTask, AStoppedSubscriberLosesOnlyItsOwnEvents) {
+TEST_P(StoppedTask, AStoppedSubscriberLosesItsOwnEvents) {
   reference::HistoryArm arm(directory_.file("log"), 1, kEventsPerCycle);
   Subscriber stopped, live;
   here_.add("PSM", arm);

@@ -131,7 +131,7 @@ TEST_F(HostNames, AConnectedProcessNeedsNoNameService) {
   expectSoundHistory(system_.history());
 }
 
-TEST_F(HostNames, ANewProcessWaitsForTheNameService) {
+TEST_F(HostNames, ANewProcessAwaitsTheNameService) {
   const auto manager = system_.managerAt(at("127.0.0.1"));
   names_.fallSilent();
   const auto provider = system_.provider("robot", enter_);

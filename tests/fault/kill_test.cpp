@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
              kPhases[static_cast<int>(std::get<1>(test.param))] + "_" + std::get<2>(test.param);
     });
 
-TEST_P(Kill, LeavesSoundHistoriesAndTheRestGoesOn) {
+TEST_P(Kill, LeavesSoundHistoriesWhileOthersGoOn) {
   startProvider();
   if (killsClient() || phase() != Phase::BeforeConnect) startClient();
   if (phase() != Phase::BeforeConnect) awaitPhase();

@@ -92,7 +92,7 @@ TEST_P(Liveness, AStoppedProcessIsLost) {
 
 // Both connections are in one session and hear the same heartbeat, but each judges it by its own
 // silence.
-TEST_P(Liveness, ALongerSilenceHoldsForItsConnectionAlone) {
+TEST_P(Liveness, ALongerSilenceHoldsForItsConnection) {
   connect("First/Arm", "there:PSM1/Arm", 200ms);
   connect("Second/Arm", "there:PSM2/Arm", 1min);
   ASSERT_TRUE(eventually([&] { return first_.error == Errc{} && second_.error == Errc{}; }));
@@ -135,7 +135,7 @@ TEST_P(Liveness, AHungTaskIsLostAlone) {
 
 // The task that hangs has a silence that is ten times as long as that of the task that sleeps. When
 // it is found to hang, the other would have been found long before.
-TEST_P(Liveness, ASleepingTaskDoesNotCountAsHung) {
+TEST_P(Liveness, ASleepingTaskIsNotHung) {
   first_.asks = false;
   second_.asks = false;
   connect("First/Arm", "there:PSM1/Arm", 1s);
@@ -150,7 +150,7 @@ TEST_P(Liveness, ASleepingTaskDoesNotCountAsHung) {
   stopHanging();
 }
 
-TEST_P(Liveness, AConnectionToAHungProviderIsRefusedWithTheReason) {
+TEST_P(Liveness, ConnectingToAHungProviderIsRefused) {
   connect("First/Arm", "there:PSM1/Arm");
   hang(first_, 0);
   ASSERT_TRUE(eventually([&] { return first_.error == Errc::Lost; }));
@@ -160,12 +160,12 @@ TEST_P(Liveness, AConnectionToAHungProviderIsRefusedWithTheReason) {
   connect("Second/Arm", "there:PSM1/Arm");
 }
 
-TEST_P(Liveness, ASilenceTooShortForHeartbeatsIsRefused) {
+TEST_P(Liveness, ASilenceBelowTheHeartbeatIsRefused) {
   const std::string why = refusal([&] { connect("First/Arm", "there:PSM1/Arm", 1ms); });
   EXPECT_NE(why.find("Allow at least 10 ms"), std::string::npos) << why;
 }
 
-TEST_P(Liveness, AKilledProcessIsLostBecauseItHasEnded) {
+TEST_P(Liveness, AKilledProcessIsLostAsEnded) {
   connect("First/Arm", "there:PSM1/Arm");
   host_.end(SIGKILL);
   EXPECT_TRUE(eventually([&] { return first_.error == Errc::Lost; }));

@@ -99,7 +99,7 @@ TEST_P(Proxy, ClosesConnections) { strike(Strike::Cut); }
 
 TEST_P(Proxy, ResetsConnections) { strike(Strike::Reset); }
 
-TEST_P(Proxy, PassesHalfOfWhatIsSaidAndCloses) { strike(Strike::Truncate); }
+TEST_P(Proxy, PassesHalfAMessageAndCloses) { strike(Strike::Truncate); }
 
 TEST_P(Proxy, PassesNothingEitherWay) { holdUp(Mode::HalfOpen); }
 

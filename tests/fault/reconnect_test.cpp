@@ -159,7 +159,7 @@ TEST_P(Restarts, ManagerAndPeerMayRestartTogether) {
   }
 }
 
-TEST_P(Restarts, AnAnswerOfAnOlderEpochIsDropped) {
+TEST_P(Restarts, AnAnswerOfAnOlderEpochDrops) {
   rpc::ControlThread control;
   const GlobalManager names(control, address("m.sock"));
   const auto child = provider(names.address());

@@ -68,7 +68,7 @@ TEST_P(SlowLink, ALostConnectionComesBack) {
 }
 
 // The clocks have to be compared, which takes more questions.
-TEST_P(SlowLink, ALostConnectionOfAnotherClockComesBack) {
+TEST_P(SlowLink, ALostConnectionOfAnotherClockReturns) {
   if (geteuid() != 0) GTEST_SKIP() << "only root may give a process another clock";
   const auto child =
       provider({"/usr/bin/unshare", "--time", "--monotonic", "1000", "--fork", "--kill-child"});

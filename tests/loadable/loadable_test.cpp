@@ -51,7 +51,7 @@ const std::string kError = kLibraries + "/d.json:2: error: ";
 
 TEST(Loadable, TheHeaderNamesThisRelease) { EXPECT_STREQ(kVersion, SUTURE_VERSION); }
 
-TEST(Loadable, SeveralInstancesOfItsClassesRunAndAreConnected) {
+TEST(Loadable, SeveralInstancesAreConnectedAndRun) {
   const Deployment deployment = deploymentOf(
       component("Left", "Platter", LOADABLE) + ",\n" + component("Right", "Platter", LOADABLE) +
           ",\n" + component("LeftHand", "Hand", LOADABLE) + ",\n" +
@@ -69,7 +69,7 @@ TEST(Loadable, SeveralInstancesOfItsClassesRunAndAreConnected) {
   EXPECT_TRUE(host.troubles().empty());
 }
 
-TEST(Loadable, ParametersAreReadAsThoseOfAnyClass) {
+TEST(Loadable, ParametersAreReadAsAlways) {
   const std::string platter = component("P", "Platter", LOADABLE);
   const auto problems = problemsOf(
       deploymentOf(platter.substr(0, platter.size() - 1) + ",\n\"parameters\": {\"angel\": 1}}"));
@@ -94,7 +94,7 @@ TEST(Loadable, NoSuchFile) {
                 "absolute or from the deployment's folder");
 }
 
-TEST(Loadable, AFileThatIsNoLibraryIsAnError) {
+TEST(Loadable, ANonLibraryIsAnError) {
   const std::string problem = problemOf("Platter", "CTestTestfile.cmake");
   EXPECT_TRUE(problem.starts_with(kError + "loading components from '")) << problem;
   EXPECT_NE(problem.find("invalid ELF header. Build it for this machine"), std::string::npos)

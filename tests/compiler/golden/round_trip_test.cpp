@@ -117,7 +117,7 @@ TEST_F(RoundTrip, EveryMemberArrives) {
   expectEqual(received, something());
 }
 
-TEST_F(RoundTrip, SteadyStampsAreShiftedAndUnsetOnesAreNot) {
+TEST_F(RoundTrip, SteadyStampsAreShiftedUnlessUnset) {
   Everything value = something();
   value.goal.stamp = {};
   sent(value);
@@ -128,7 +128,7 @@ TEST_F(RoundTrip, SteadyStampsAreShiftedAndUnsetOnesAreNot) {
   EXPECT_EQ(slot.goal.stamp, 0);
 }
 
-TEST_F(RoundTrip, ATypeThatIsTooLargeHasNoSlot) {
+TEST_F(RoundTrip, ATooLargeTypeHasNoSlot) {
   Everything value = something();
   value.label = "longer than sixteen bytes";
   EverythingSlot slot{};
@@ -152,7 +152,7 @@ TEST_F(RoundTrip, AMissingStructHasItsDefaults) {
   EXPECT_EQ(received.goal.valid, PoseStamped().valid);
 }
 
-TEST_F(RoundTrip, AListOfTheWrongLengthIsRefused) {
+TEST_F(RoundTrip, AListOfWrongLengthIsRefused) {
   sent(something()).initJacobian(41);
   EverythingSlot slot{};
   EXPECT_EQ(back(slot), Errc::Invalid);
@@ -209,7 +209,7 @@ TEST(Parameters, AreReadAndChecked) {
   EXPECT_EQ(read(R"({"naem": "x"})", parameters).size(), 1u);
 }
 
-TEST(Contract, SeveralValuesKeepTheirPlacesInASlot) {
+TEST(Contract, ValuesKeepTheirPlacesInASlot) {
   ArmMovedPayload payload;
   ASSERT_TRUE(store(somePose(), 0.5, Mode::Servo, payload));
   PoseStamped pose;

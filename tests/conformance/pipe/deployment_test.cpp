@@ -52,7 +52,7 @@ TEST_F(PipeDeployment, TravelsByTheLaneThatItNames) {
   near.stop();
 }
 
-TEST_F(PipeDeployment, AWrongNameIsToldWithItsLineBeforeAnythingStarts) {
+TEST_F(PipeDeployment, AWrongNamesLineIsTold) {
   const Deployment deployment(JsonDocument::read(fileWith("pip")));
   Host near(deployment, "near", test::kClasses);
   near.addLane(std::make_unique<PipeLane>());
@@ -63,7 +63,7 @@ TEST_F(PipeDeployment, AWrongNameIsToldWithItsLineBeforeAnythingStarts) {
                 "addLane() first");
 }
 
-TEST_F(PipeDeployment, IsJudgedWithTheLanesOfItsProgram) {
+TEST_F(PipeDeployment, IsJudgedWithItsProgramsLanes) {
   const std::string file = fileWith("pipe");
   const auto problems = [&](const AddedLanes& added) {
     return checkDeployment(file, "", test::kClasses, added).problems;

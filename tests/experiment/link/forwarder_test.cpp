@@ -132,7 +132,7 @@ class ForwarderTest : public testing::Test {
   }
 };
 
-TEST_F(ForwarderTest, NoPacketArrivesBeforeItsTimeAndNoneOvertakes) {
+TEST_F(ForwarderTest, NoPacketIsEarlyOrOvertakesAnother) {
   constexpr auto kWay = 30ms;
   LiveLink link({.way = kWay, .jitter = 10ms});
   Datagrams datagrams(link);
@@ -163,14 +163,14 @@ std::vector<std::uint32_t> arrivedOf(std::uint64_t seed) {
   return numbers;
 }
 
-TEST_F(ForwarderTest, ASeedLosesTheSamePacketsAndTheAskedShare) {
+TEST_F(ForwarderTest, ASeedLosesTheSamePacketsAgain) {
   const auto once = arrivedOf(7);
   EXPECT_NEAR(static_cast<double>(once.size()), 900, 40);  // by this seed, always
   EXPECT_EQ(arrivedOf(7), once);
   EXPECT_NE(arrivedOf(8), once);
 }
 
-TEST_F(ForwarderTest, AStreamDeliversEverythingInOrderAllTheSame) {
+TEST_F(ForwarderTest, AStreamDeliversEverythingInOrder) {
   LiveLink link({.way = 2ms, .loss = 0.05});
   std::vector<std::uint32_t> numbers(100'000);
   std::iota(numbers.begin(), numbers.end(), 0);

@@ -113,7 +113,7 @@ TEST(HistoryChecker, ASecondCommandAfterTheLoss) {
   EXPECT_EQ(violations(history, kHeldUp).size(), 1u);
 }
 
-TEST(HistoryChecker, TheNextConnectionIsFreeOfTheLoss) {
+TEST(HistoryChecker, TheNextConnectionHasNoLoss) {
   History history = sound();
   HistoryEntry& last = nth(history, Kind::Executed, 46);
   last.at = nth(history, Kind::Told, 0).at + kTolerance.unheard + 1ns;
@@ -147,7 +147,7 @@ struct Ledgers {
   }
 };
 
-TEST(HistoryChecker, ALedgerThatMissesAnExecutionOrInventsOne) {
+TEST(HistoryChecker, FindsALedgerWithAMissingExecution) {
   Ledgers ledgers;
   expectNone(ledgers.history());
   --ledgers.client.executed;
@@ -170,7 +170,7 @@ TEST(HistoryChecker, ALedgerThatDoesNotAddUp) {
   expectOne(ledgers.history(), "the provider's ledger of client 1 has places for 98 of 97");
 }
 
-TEST(HistoryChecker, AProvidersLedgerThatDoesNotKnowWhatItExecuted) {
+TEST(HistoryChecker, FindsALedgerUnawareOfItsExecution) {
   Ledgers ledgers;
   ledgers.begun = 95;
   expectOne(ledgers.history(),
@@ -254,7 +254,7 @@ TEST(HistoryChecker, AnEventHeardTwice) {
   expectOne(history, "heard event 100");
 }
 
-TEST(HistoryLog, ReadsBackWhatWasWrittenButACutLine) {
+TEST(HistoryLog, ReadsBackAllButACutLine) {
   const TemporaryDirectory directory;
   History history = sound();
   nth(history, Kind::Connected, 0).lane = "shm";

@@ -26,7 +26,7 @@ TEST(Explorer, FindsAMessageThatIsNotReleased) {
   EXPECT_EQ(violationOf(litmus::messageReleased), "");
 }
 
-TEST(Explorer, LetsALoadMissAStoreIfTheOrdersAllow) {
+TEST(Explorer, LetsALoadMissAStore) {
   EXPECT_EQ(violationOf(litmus::storeBuffering), "neither saw the other");
   EXPECT_EQ(violationOf(litmus::storeBufferingSequential), "");
   EXPECT_EQ(violationOf(litmus::readTwice), "");

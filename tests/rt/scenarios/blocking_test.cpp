@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 
 class Blocking : public Scenario {};
 
-TEST_P(Blocking, VoidAndWriteHaveBeenExecutedWhenTheyAreAnswered) {
+TEST_P(Blocking, VoidAndWriteRunBeforeTheirAnswer) {
   client->with([](Used& used) {
     forEachPrototype(used, [](auto prototype) {
       ASSERT_TRUE(prototype.set.start(prototype.value).within(suture::kPatience));
@@ -36,7 +36,7 @@ TEST_P(Blocking, AQualifiedReadAnswersItsQuestion) {
   });
 }
 
-TEST_P(Blocking, VoidAndWriteWithReturnAnswerWhatWasKept) {
+TEST_P(Blocking, CommandsWithReturnAnswerWhatWasKept) {
   client->with([](Used& used) {
     forEachPrototype(used, [](auto prototype) {
       const auto before = prototype.swap.start(prototype.value).within(suture::kPatience);

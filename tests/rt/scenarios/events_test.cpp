@@ -25,7 +25,7 @@ class Events : public Scenario {
   }
 };
 
-TEST_P(Events, VoidAndWriteEventsArriveAtBothEnds) {
+TEST_P(Events, VoidAndWriteEventsReachBothEnds) {
   provoke(*client);
   provoke(*server);
   for (End* end : {client.get(), server.get()}) {

@@ -71,7 +71,7 @@ TEST(Watch, ReportsAnAllocation) {
   EXPECT_THAT(found.client, IsEmpty());
 }
 
-TEST(Watch, ReportsALockAndTheWaitForIt) {
+TEST(Watch, ReportsALockAndItsWait) {
   planted::BusyLock lock;
   const Case found = watched([&] { lock.lockAndUnlock(); });
   EXPECT_THAT(found.arm,

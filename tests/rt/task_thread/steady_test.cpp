@@ -91,7 +91,7 @@ TEST(TaskThread, CyclesInOneThreadCostNothing) {
 }
 
 // There is no warm-up: what a command, an event or a read needs is there before its first use.
-TEST(TaskThread, NotEvenTheFirstUseOfAnythingAllocates) {
+TEST(TaskThread, FirstUsesAllocateNothing) {
   ArmTask<suture::CallbackTask> arm;
   UserTask<suture::CallbackTask> client;
   suture::connectLocally(client.arm, arm.arm, "test");
@@ -142,7 +142,7 @@ TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
 
 // An arm and two clients sleep whenever they have nothing to do, and wake each other. So each cycle
 // costs one sleep, and one ring for each of the others that sleeps.
-TEST(TaskThread, SleepingCyclesCostOneSleepAndTheirRings) {
+TEST(TaskThread, SleepingCyclesCostOnlyTheirSleep) {
   const LockedMemory locked;
   const suture::EventOptions options{.scheduling = {.processor = someProcessor()}};
   ArmTask<suture::EventTask> arm(options);

@@ -65,7 +65,7 @@ TEST(Choices, FullOnesArrive) {
   EXPECT_EQ(received.rated, full().rated);
 }
 
-TEST(Choices, EmptyOnesArriveAndReplaceWhatWasThere) {
+TEST(Choices, EmptyOnesReplaceWhatWasThere) {
   Trip trip;
   Choices received = full();
   trip.carry(Choices{}, received);
@@ -176,7 +176,7 @@ TEST(Choices, AnUndeclaredEnumeratorInsideIsRefused) {
   EXPECT_EQ(Trip::refusedUnsent(value), "rated[0]");
 }
 
-TEST(Choices, AnIndexOutOfRangeIsNotValid) {
+TEST(Choices, AnIndexOutOfRangeIsInvalid) {
   Trip trip;
   EXPECT_EQ(trip.refused(full()), "");
   trip.slot->either.index = 5;

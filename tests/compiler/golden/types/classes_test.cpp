@@ -27,7 +27,7 @@ void fill(Classes& value) {
   value.spiral = {Polar(1, 2), Polar(3, 4)};
 }
 
-TEST(Classes, AllThatIsPartOfTheValueArrives) {
+TEST(Classes, AllPartsOfTheValueArrive) {
   Classes value, received;
   fill(value);
   Trip trip;

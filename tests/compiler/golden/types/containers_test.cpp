@@ -76,7 +76,7 @@ TEST(Containers, FullOnesArrive) {
   EXPECT_TRUE(isValid(*trip.slot));
 }
 
-TEST(Containers, EmptyOnesArriveAndReplaceWhatWasThere) {
+TEST(Containers, EmptyOnesReplaceWhatWasThere) {
   Trip trip;
   Sequences received = full();
   trip.carry(Sequences{}, received);
@@ -108,7 +108,7 @@ TEST(Containers, OneBeyondCapacityDoesNotFit) {
   EXPECT_FALSE(fits([](Sequences& value) { value.series = {{"toolong", {}}}; }));
 }
 
-TEST(Containers, TheOrderOfAHashDoesNotShow) {
+TEST(Containers, TheOrderOfAHashIsHidden) {
   Sequences there = full(), back = full();
   there.points.clear();
   back.points.clear();
@@ -150,7 +150,7 @@ TEST(Containers, AnArrayOfAnotherLengthIsRefused) {
   EXPECT_EQ(trip.receive(), Errc::Invalid);
 }
 
-TEST(Containers, AWrongElementIsNamedByPlaceOrKey) {
+TEST(Containers, AWrongElementsKeyIsNamed) {
   const auto refused = [](auto change) {
     Sequences value = full();
     change(value);

@@ -80,7 +80,7 @@ TEST(Shown, MatricesTellTheirExtent) {
 }
 
 /// Another process may have written the slot.
-TEST(Shown, ASlotHasNoMoreThanItHasRoomFor) {
+TEST(Shown, ASlotShowsOnlyWhatItHolds) {
   constexpr std::uint32_t kAny = ~0u;
   MatricesSlot matrices{};
   matrices.joints.size = matrices.cloud.size = matrices.wrenches.size = kAny;

@@ -86,7 +86,7 @@ class LargeSlots : public testing::TestWithParam<double> {
                                    received_ = std::make_unique<LargeSlot>();
 };
 
-TEST_P(LargeSlots, AreThereWhenWhatIsUsedHasBeenCopied) {
+TEST_P(LargeSlots, HoldTheUsedPartOnceCopied) {
   copyUsed(bytesOf(*received_).data(), bytesOf(*sent_).data(), sizeof(LargeSlot), levels_);
   EXPECT_EQ(contentOf(*received_), contentOf(*sent_));
 }
@@ -97,7 +97,7 @@ TEST_P(LargeSlots, AreThereWhenTheyHaveTravelled) {
 }
 
 // A row of state packs values where they lie.
-TEST_P(LargeSlots, ArePackedInPlaceAndInFrontOfIt) {
+TEST_P(LargeSlots, ArePackedInPlaceAndInFront) {
   const std::vector<std::byte> expected = packed();
   for (const std::size_t ahead : {0, 8, 4096}) {
     std::vector<std::byte> row(ahead + sizeof(LargeSlot));
@@ -107,7 +107,7 @@ TEST_P(LargeSlots, ArePackedInPlaceAndInFrontOfIt) {
   }
 }
 
-TEST_P(LargeSlots, AreReadAsTheyArriveBitByBit) {
+TEST_P(LargeSlots, AreReadAsTheyArrive) {
   const std::vector<std::byte> all = packed();
   for (const std::size_t bit : {1, 7, 300, 5000}) {
     soil(*received_, 0x5a);
@@ -133,7 +133,7 @@ TEST_P(LargeSlots, TakeWhatTheirContentNeeds) {
   EXPECT_NEAR(used, expected, 0.1 * static_cast<double>(room));
 }
 
-TEST_P(LargeSlots, AreRefusedWhenTheirBytesAreTooFewOrTooMany) {
+TEST_P(LargeSlots, AreRefusedWhenTheirSizeIsWrong) {
   std::vector<std::byte> all = packed();
   for (std::size_t size = 0; size < all.size(); ++size) {
     // This is a copy, so that reading beyond its end is seen.

@@ -56,7 +56,7 @@ TEST(Matrices, FullOnesArrive) {
   EXPECT_TRUE(isValid(*trip.slot));
 }
 
-TEST(Matrices, EmptyOnesArriveAndReplaceWhatWasThere) {
+TEST(Matrices, EmptyOnesReplaceWhatWasThere) {
   Trip trip;
   Matrices received = full();
   trip.carry(Matrices{}, received);
@@ -101,7 +101,7 @@ TEST(Matrices, ExtentsThatContradictTheDataAreRefused) {
   EXPECT_EQ(trip.receive(), Errc::TooLarge);
 }
 
-TEST(Matrices, VectorsTellTheCoefficientThatIsWrongAndMatricesThemselves) {
+TEST(Matrices, VectorsNameTheWrongCoefficientMatricesThemselves) {
   const auto refused = [](auto change) {
     Matrices value = full();
     change(value);

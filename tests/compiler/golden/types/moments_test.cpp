@@ -77,7 +77,7 @@ SpansSlot slotOf(const Spans& value) {
   return slot;
 }
 
-TEST(Spans, AreInfiniteOnlyWhereTheyAreByDefault) {
+TEST(Spans, AreInfiniteOnlyWhereThatIsDefault) {
   EXPECT_TRUE(isValid(slotOf(Spans{}), nullptr));
   Spans value;
   value.endless = std::chrono::duration<double>(-std::numeric_limits<double>::infinity());
