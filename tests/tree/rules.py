@@ -23,6 +23,7 @@ SOURCES = {".h", ".cpp"}
 INCLUDE = re.compile(r'^\s*#include\s+[<"]([^>"]+)[>"]', re.M)
 MAX_LINES = 700
 MAX_README_LINES = 40
+MAX_WORDS = 7
 
 
 def sources(root, folder):
@@ -220,8 +221,20 @@ def check_format(root):
             yield f"{pathlib.Path(path).relative_to(root)}: not formatted; run clang-format-14 -i on it"
 
 
+# The name of a test says behaviour, and is read in a list of thousands. "A" and "The" count as words.
+TEST_NAME = re.compile(r"^\s*(?:TYPED_)?TEST(?:_F|_P)?\(\s*\w+,\s*(\w+)\)", re.M)
+
+
+def check_test_names(root):
+    for path in sources(root, "tests"):
+        for name in TEST_NAME.findall(path.read_text(encoding="utf-8")):
+            words = len(re.findall(r"[A-Z][a-z0-9]*|[a-z0-9]+", name))
+            if words > MAX_WORDS:
+                yield f"{path.relative_to(root)}: the test {name} has {words} words, at most {MAX_WORDS}"
+
+
 CHECKS = [check_layers, check_lanes, check_parts, check_folders, check_compiler_is_alone, check_components_see_public_headers,
-          check_waits, check_observers, check_lengths, check_readmes, check_format]
+          check_waits, check_observers, check_lengths, check_readmes, check_test_names, check_format]
 
 
 def main():

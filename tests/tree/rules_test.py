@@ -149,6 +149,10 @@ class Planted(unittest.TestCase):
         self.write("compiler/model/README.md", "\n" * 41)
         self.expect(rules.check_readmes, "more than 40 lines")
 
+    def test_a_test_whose_name_is_too_long(self):
+        self.write("tests/unit/rt/a_test.cpp", "TEST_P(Ring, ARingThatIsFullRefusesTheNext) {}\nTEST(Ring, AFullRingRefusesTheNextOne) {}\n")
+        self.expect(rules.check_test_names, "ARingThatIsFullRefusesTheNext has 8 words, at most 7")
+
     def test_an_unformatted_source(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")
         self.write("runtime/suture/base/a.h", "int   a ;\n")
