@@ -46,12 +46,9 @@ void Assistant::run() {
 
 void Assistant::hear(const StopNews& news) {
   if (news.pressed && isReleased()) losePower();
+  if (!stopNews_ || news.press != stopNews_->press) ++pressesHeard_;
+  if (!news.pressed) released_ = suture::now();
   stopNews_ = news;
-  if (news.pressed) {
-    ++pressesHeard_;
-  } else {
-    released_ = suture::now();
-  }
 }
 
 void Assistant::hear(const ConsoleState& state) {
@@ -79,7 +76,7 @@ void Assistant::followScript(suture::Time now) {
       if (isReleased())
         return enter(parameters_.press_after > suture::Duration{0} ? Step::Watch : Step::Done, now);
       if (!stopNews_->is_start) return enter(Step::Done, now);  // somebody has pressed it
-      if (mayAskAgain(now)) (void)stop_.release();
+      if (mayAskAgain(now)) (void)stop_.release(stopNews_->press);
       return;
     case Step::Watch:
       if (since < parameters_.press_after || isPressed()) return;
@@ -89,7 +86,7 @@ void Assistant::followScript(suture::Time now) {
       if (pressesHeard_ > 1 || (pressesHeard_ == 1 && isReleased())) return enter(Step::Done, now);
       if (since < parameters_.release_after) return;
       if (pressesHeard_ == 0) return enter(Step::Done, now);  // the press has not arrived
-      if (mayAskAgain(now)) (void)stop_.release();
+      if (mayAskAgain(now)) (void)stop_.release(stopNews_->press);
       return;
     case Step::Done: return;
   }

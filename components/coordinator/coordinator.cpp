@@ -20,44 +20,83 @@ constexpr suture::Duration kToldWithin = std::chrono::seconds(1);
 }  // namespace
 
 Coordinator::Coordinator(const CoordinatorParameters& parameters)
-    : PeriodicTask({.period = parameters.period}) {}
+    : PeriodicTask({.period = parameters.period}), buttons_(parameters.buttons) {}
 
-// A stop that is released in the cycle in which it was pressed withholds one permit all the same.
+// Each press withholds one permit, even if it is released in the cycle in which it was pressed.
 void Coordinator::run() {
+  noticePause();
   const suture::Duration pause = cycles_.sinceLast();
   cycles_.begin();
+  pauseIsNoticed_ = false;
   if (pause > kShortPause) pauseCountsUntil_ = suture::now() + kToldWithin;
   const bool pressMayBeLost =
       std::exchange(clientIsGone_, false) && suture::now() < pauseCountsUntil_;
-  if (pause > kCommandsMayBeLost || pressMayBeLost) set(true);
-  permit_ = {!pressed_ && !std::exchange(wasPressed_, false), suture::now()};
+  const bool nobodyCanPress = std::exchange(buttonIsGone_, false);
+  if (pause > kCommandsMayBeLost || pressMayBeLost || nobodyCanPress) stopDrives(false);
+  const bool withheld = permit_.press == news_.press;
+  permit_ = {!news_.pressed && withheld, suture::now(), news_.press};
 }
 
-// Runs before the commands of a cycle. A client that came after the pause has lost no press in it.
+// Emits the event even if nothing changes, so that whoever asked in vain sees what holds.
+void Coordinator::release(std::uint64_t press) {
+  if (press != news_.press) {
+    messages_.warning("not released, because it has been pressed since");
+  } else if (connectedButtons_ != buttons_.size()) {
+    messages_.warning("not released, because a button is not connected");
+  } else if (news_.pressed) {
+    news_ = {false, suture::now(), false, press};
+  }
+  stop_.emit().stop(news_);
+}
+
+// Runs before the commands of a cycle.
 void Coordinator::onClient(const suture::ProvidedBase&, const suture::ConnectedClient& client,
                            suture::ClientNews news) {
-  if (cycles_.sinceLast() > kShortPause) newcomers_.fill(nullptr);
+  noticePause();
   const bool hasCome = news == suture::ClientNews::Connected;
-  auto* const place = std::find(newcomers_.begin(), newcomers_.end(), hasCome ? nullptr : &client);
-  if (place != newcomers_.end()) {
-    *place = hasCome ? &client : nullptr;
-  } else if (!hasCome) {
+  if (isButton(client)) {
+    connectedButtons_ += hasCome ? 1 : std::size_t(-1);
+    buttonIsGone_ = buttonIsGone_ || !hasCome;
+  }
+  if (hasCome) {
+    auto* const place = std::find(newcomers_.begin(), newcomers_.end(), nullptr);
+    if (place != newcomers_.end()) *place = &client;
+  } else if (!forgetNewcomer(client)) {
     clientIsGone_ = true;
   }
+}
+
+// A client that came before a pause is no newcomer any more; one that came after it has lost no
+// press in it.
+void Coordinator::noticePause() {
+  if (cycles_.sinceLast() <= kShortPause || std::exchange(pauseIsNoticed_, true)) return;
+  newcomers_.fill(nullptr);
+}
+
+bool Coordinator::forgetNewcomer(const suture::ConnectedClient& client) {
+  auto* const place = std::find(newcomers_.begin(), newcomers_.end(), &client);
+  if (place == newcomers_.end()) return false;
+  *place = nullptr;
+  return true;
+}
+
+bool Coordinator::isButton(const suture::ConnectedClient& client) const {
+  return std::find(buttons_.begin(), buttons_.end(), client.name) != buttons_.end();
 }
 
 // The stop begins pressed, because nobody could press it until now.
 void Coordinator::begin(bool isStart) {
   cycles_.begin();
-  set(true, isStart);
+  stopDrives(isStart);
 }
 
 // Emits the event at once, so that it does not wait for the next permit, and even if nothing
 // changes, so that a client that missed one is corrected.
-void Coordinator::set(bool pressed, bool isStart) {
-  pressed_ = pressed;
-  wasPressed_ = wasPressed_ || pressed;
-  stop_.emit().stop({pressed, suture::now(), isStart});
+void Coordinator::stopDrives(bool isStart) {
+  const suture::Time now = suture::now();
+  const auto press = std::max(news_.press + 1, std::uint64_t(suture::toNanoseconds(now)));
+  news_ = {true, now, isStart, press};
+  stop_.emit().stop(news_);
 }
 
 }  // namespace robots

@@ -5,9 +5,14 @@
 #include <suture/base/time.h>
 #include <suture/component/provided.h>
 #include <suture/component/task/periodic_task.h>
+#include <suture/standard/message_port.h>
 
 #include <array>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "coordinator/emergency_stop.suture.h"
 #include "timing/cycle_watch.h"
@@ -17,18 +22,22 @@ namespace robots {
 struct SUTURE_TYPE() CoordinatorParameters {
   /// Is how often the permit is renewed, and how long a command to stop may wait.
   suture::Duration period = std::chrono::milliseconds(1);
+  /// Names the clients without which nobody could press the stop, such as "desk:Panel/Stop". One
+  /// whose connection ends presses it, and it is not released before all are connected.
+  SUTURE_FIELD(capacity(8, 63)) std::vector<std::string> buttons;
 };
 
 /// Permits drives to have power until somebody presses the stop. It starts pressed, because one
 /// that is started again does not know if it was pressed: an operator releases it. For the same
 /// reason it is pressed when it goes on after a suspension, or after a pause in which the commands
-/// of its clients may have been lost: a long one, or one in which a client's connection ended.
+/// of its clients may have been lost: a long one, or one in which a client's connection ended. The
+/// end of a button's connection presses it at any time.
 class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public EmergencyStop {
  public:
   explicit Coordinator(const CoordinatorParameters& parameters);
 
-  void press() override { set(true); }
-  void release() override { set(false); }
+  void press() override { stopDrives(false); }
+  void release(std::uint64_t press) override;
   Permit permit() const override { return permit_; }
 
   void run() override;
@@ -40,17 +49,24 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
 
  private:
   void begin(bool isStart);
-  void set(bool pressed, bool isStart = false);
+  void stopDrives(bool isStart);
+  void noticePause();
+  bool forgetNewcomer(const suture::ConnectedClient& client);
+  bool isButton(const suture::ConnectedClient& client) const;
 
+  const std::vector<std::string> buttons_;
+  std::size_t connectedButtons_ = 0;
   CycleWatch cycles_;
-  bool pressed_ = true;
-  bool wasPressed_ = true;           // since the last permit
-  bool clientIsGone_ = false;        // since the last cycle, and it came before the last pause
-  suture::Time pauseCountsUntil_{};  // a client that goes until then may have pressed in a pause
+  StopNews news_{true, {}, true, 0};  // the last
+  bool buttonIsGone_ = false;         // since the last cycle
+  bool clientIsGone_ = false;         // likewise, and it came before the last pause
+  bool pauseIsNoticed_ = false;       // the one before this cycle
+  suture::Time pauseCountsUntil_{};   // a client that goes until then may have pressed in a pause
   // They have come since the last pause; one for which there is no place counts as earlier.
   std::array<const suture::ConnectedClient*, 16> newcomers_{};
   Permit permit_;
   suture::Provided<EmergencyStop> stop_{*this, "Stop", *this};
+  suture::MessagePort messages_{*this};
 };
 
 }  // namespace robots

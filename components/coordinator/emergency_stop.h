@@ -5,6 +5,8 @@
 #include <suture/annotate.h>
 #include <suture/base/time.h>
 
+#include <cstdint>
+
 namespace robots {
 
 /// Lets drives have power. It counts only as long as it is fresh, so that drives that do not
@@ -13,6 +15,8 @@ struct SUTURE_TYPE() Permit {
   bool granted = false;
   /// Is the cycle in which it was renewed.
   suture::Time stamp;
+  /// Is StopNews::press of the last press.
+  std::uint64_t press = 0;
 };
 
 /// Says that the emergency stop was pressed, or released.
@@ -21,18 +25,22 @@ struct SUTURE_TYPE() StopNews {
   suture::Time stamp;
   /// Is true if nobody has pressed it: the coordinator has just started, and starts pressed.
   bool is_start = false;
+  /// Identifies the last press, and so does release(). Each press has a larger one than all before,
+  /// those of a coordinator that ran before on the same machine too.
+  std::uint64_t press = 0;
 };
 
 /// Commands run in the coordinator's thread before its next cycle.
-class SUTURE_INTERFACE() EmergencyStop {
+class SUTURE_INTERFACE(version(2)) EmergencyStop {
  public:
   virtual ~EmergencyStop() = default;
 
   /// Stops all drives. None has power until release().
   SUTURE_COMMAND() virtual void press() = 0;
-  /// Lets drives have power again, which an operator must have decided. Arms stay disabled until
+  /// Lets drives have power again, which an operator must have decided. `press` is that of the news
+  /// that this answers: it does nothing if somebody has pressed since. Arms stay disabled until
   /// somebody enables them, such as a console that brings its system up by itself.
-  SUTURE_COMMAND() virtual void release() = 0;
+  SUTURE_COMMAND() virtual void release(std::uint64_t press) = 0;
 
   /// Is renewed in each cycle.
   SUTURE_COMMAND() virtual Permit permit() const = 0;

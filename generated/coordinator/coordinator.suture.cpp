@@ -18,17 +18,24 @@ namespace {
 
 // What this compiler sees must be what suturec read.
 static_assert(std::is_same_v<decltype(CoordinatorParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(CoordinatorParameters::buttons), std::vector<std::string>>);
 
 }  // namespace
 
 bool store(const CoordinatorParameters& value, CoordinatorParametersSlot& slot) {
   bool fits = true;
   fits &= store(value.period, slot.period);
+  fits &= store(value.buttons, slot.buttons);
   return fits;
 }
 
 void load(const CoordinatorParametersSlot& slot, CoordinatorParameters& value) {
   load(slot.period, value.period);
+  load(slot.buttons, value.buttons);
+}
+
+void reserve(const CoordinatorParametersSlot*, CoordinatorParameters& value) {
+  suture::reserveFor<decltype(CoordinatorParametersSlot::buttons)>(value.buttons);
 }
 
 bool isValid(const CoordinatorParametersSlot&, suture::FieldPath*) {
@@ -42,6 +49,7 @@ namespace robots {
 void fromJson(const suture::JsonReader& in, CoordinatorParameters& value) {
   suture::JsonReader reader = in;
   reader.field("period", value.period);
+  reader.field("buttons", value.buttons);
   reader.finish();
 }
 

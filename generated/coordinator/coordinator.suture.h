@@ -16,10 +16,12 @@ namespace robots {
 
 struct CoordinatorParametersSlot {
   std::int64_t period;  // std::chrono::nanoseconds, ns
+  suture::BoundedList<suture::BoundedText<63>, 8> buttons;
 };
 
 bool store(const CoordinatorParameters& value, CoordinatorParametersSlot& slot);
 void load(const CoordinatorParametersSlot& slot, CoordinatorParameters& value);
+void reserve(const CoordinatorParametersSlot*, CoordinatorParameters& value);
 
 bool isValid(const CoordinatorParametersSlot& slot, suture::FieldPath* path);
 

@@ -14,12 +14,13 @@ using suture::rpc::toWire;
 
 void toWire(const CoordinatorParametersSlot& slot, wire::CoordinatorParameters::Builder out) {
   out.setPeriod(slot.period);
+  toWire(slot.buttons, out.initButtons(sizeOf(slot.buttons)));
 }
 
 suture::Errc fromWire(wire::CoordinatorParameters::Reader in, CoordinatorParametersSlot& slot,
                       suture::Duration) {
   slot.period = in.getPeriod();
-  return suture::Errc{};
+  return fromWire(in.getButtons(), slot.buttons);
 }
 
 }  // namespace robots

@@ -20,6 +20,7 @@ namespace robots {
 struct PermitSlot {
   std::uint8_t granted;  // bool
   std::int64_t stamp;    // suture::Time, ns
+  std::uint64_t press;
 };
 
 bool store(const Permit& value, PermitSlot& slot);
@@ -31,6 +32,7 @@ struct StopNewsSlot {
   std::uint8_t pressed;   // bool
   std::int64_t stamp;     // suture::Time, ns
   std::uint8_t is_start;  // bool
+  std::uint64_t press;
 };
 
 bool store(const StopNews& value, StopNewsSlot& slot);
@@ -39,6 +41,14 @@ void shiftStamps(StopNewsSlot& slot, suture::Duration shift);
 
 bool isValid(const PermitSlot& slot, suture::FieldPath* path);
 bool isValid(const StopNewsSlot& slot, suture::FieldPath* path);
+
+// --- EmergencyStop: the arguments of its commands ---
+
+struct EmergencyStopReleaseArguments {
+  std::uint64_t press;
+};
+
+bool store(const std::uint64_t& press, EmergencyStopReleaseArguments& slot);
 
 /// Numbers the commands of EmergencyStop.
 struct EmergencyStopCommand {
@@ -88,10 +98,11 @@ class Required<robots::EmergencyStop> : public RequiredBase {
   /// Stops all drives. None has power until release().
   /// Void: up to 16 wait.
   Command<&Contract::press, NoSlot> press{*this, Id::press};
-  /// Lets drives have power again, which an operator must have decided. Arms stay disabled until
+  /// Lets drives have power again, which an operator must have decided. `press` is that of the news
+  /// that this answers: it does nothing if somebody has pressed since. Arms stay disabled until
   /// somebody enables them, such as a console that brings its system up by itself.
-  /// Void: up to 16 wait.
-  Command<&Contract::release, NoSlot> release{*this, Id::release};
+  /// Write: up to 16 wait.
+  Command<&Contract::release, robots::EmergencyStopReleaseArguments> release{*this, Id::release};
   /// Is renewed in each cycle.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::permit, robots::PermitSlot> permit{*this, Id::permit};
@@ -148,8 +159,14 @@ class Provided<robots::EmergencyStop> : public ProvidedBase {
  private:
   struct Dispatch;  // has a function for each command
 
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    std::uint64_t release_press{};
+  };
+
   Contract& implementation_;
   Events events_{*this};
+  Scratch scratch_;
 };
 
 }  // namespace suture

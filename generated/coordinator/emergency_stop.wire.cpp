@@ -16,11 +16,13 @@ using suture::rpc::toWire;
 void toWire(const PermitSlot& slot, wire::Permit::Builder out) {
   out.setGranted(slot.granted != 0);
   out.setStamp(slot.stamp);
+  out.setPress(slot.press);
 }
 
 suture::Errc fromWire(wire::Permit::Reader in, PermitSlot& slot, suture::Duration shift) {
   slot.granted = in.getGranted();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.press = in.getPress();
   return suture::Errc{};
 }
 
@@ -28,18 +30,30 @@ void toWire(const StopNewsSlot& slot, wire::StopNews::Builder out) {
   out.setPressed(slot.pressed != 0);
   out.setStamp(slot.stamp);
   out.setIsStart(slot.is_start != 0);
+  out.setPress(slot.press);
 }
 
 suture::Errc fromWire(wire::StopNews::Reader in, StopNewsSlot& slot, suture::Duration shift) {
   slot.pressed = in.getPressed();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.is_start = in.getIsStart();
+  slot.press = in.getPress();
   return suture::Errc{};
 }
 
 // --- EmergencyStop as Cap'n Proto
 
 namespace {
+
+void encodeEmergencyStopRelease(const EmergencyStopReleaseArguments& slot,
+                                wire::EmergencyStop::ReleaseParams::Builder out) {
+  out.setPress(slot.press);
+}
+suture::Errc decodeEmergencyStopRelease(wire::EmergencyStop::ReleaseParams::Reader in,
+                                        EmergencyStopReleaseArguments& slot, suture::Duration) {
+  slot.press = in.getPress();
+  return suture::Errc{};
+}
 
 void encodeEmergencyStopPermitResult(const PermitSlot& slot,
                                      wire::EmergencyStop::PermitResults::Builder out) {
@@ -91,7 +105,10 @@ constexpr suture::rpc::CommandCodec kEmergencyStopCommandCodecs[] = {
      .sent = suture::rpc::sentIn<wire::EmergencyStop::PressParams>},
     {.interface = capnp::typeId<wire::EmergencyStop>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::EmergencyStop::ReleaseParams>},
+     .sent = suture::rpc::sentIn<wire::EmergencyStop::ReleaseParams>,
+     .arguments = suture::rpc::messageOf<wire::EmergencyStop::ReleaseParams,
+                                         EmergencyStopReleaseArguments, encodeEmergencyStopRelease,
+                                         decodeEmergencyStopRelease>},
     {.interface = capnp::typeId<wire::EmergencyStop>(),
      .method = 3,
      .sent = suture::rpc::sentIn<wire::EmergencyStop::PermitParams>,

@@ -14,6 +14,8 @@ struct Permit @0xd02fe436dab69cbc $Meta.cxx("robots::Permit") {
   granted @0 :Bool;
   stamp @1 :Int64 $Meta.clock("steady");
   # Is the cycle in which it was renewed.
+  press @2 :UInt64;
+  # Is StopNews::press of the last press.
 }
 
 struct StopNews @0xcd5512b8a090183f $Meta.cxx("robots::StopNews") {
@@ -23,17 +25,22 @@ struct StopNews @0xcd5512b8a090183f $Meta.cxx("robots::StopNews") {
   stamp @1 :Int64 $Meta.clock("steady");
   isStart @2 :Bool $Meta.cxx("is_start");
   # Is true if nobody has pressed it: the coordinator has just started, and starts pressed.
+  press @3 :UInt64;
+  # Identifies the last press, and so does release(). Each press has a larger one than all before,
+  # those of a coordinator that ran before on the same machine too.
 }
 
-interface EmergencyStop @0x85a101cfc49eccfc $Meta.cxx("robots::EmergencyStop") {
+interface EmergencyStop @0x85a101cfc49eccfc $Meta.cxx("robots::EmergencyStop") $Meta.major(2)
+    $Meta.version(2) {
   # Commands run in the coordinator's thread before its next cycle.
 
   subscribe @0 (events :EmergencyStopEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   press @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Stops all drives. None has power until release().
-  release @2 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Lets drives have power again, which an operator must have decided. Arms stay disabled until
+  release @2 (sent :Rpc.Sent, press :UInt64) -> () $Meta.kind("write") $Meta.queue(16);
+  # Lets drives have power again, which an operator must have decided. `press` is that of the news
+  # that this answers: it does nothing if somebody has pressed since. Arms stay disabled until
   # somebody enables them, such as a console that brings its system up by itself.
   permit @3 (sent :Rpc.Sent) -> (value :Permit, stamp :Int64) $Meta.kind("read");
   # Is renewed in each cycle.

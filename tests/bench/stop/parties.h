@@ -76,6 +76,16 @@ class StopPanel final : public suture::Device {
   std::array<suture::Required<robots::Arm>*, kArmCount> arms() {
     return {&mtml, &psm2, &mtmr, &psm1};
   }
+  /// Releases the last press. Returns false if it has not heard of one since the last release.
+  bool release() {
+    const auto permit = stop.permit();
+    if (!permit || permit->press == released_) return false;
+    released_ = permit->press;
+    return stop.release(released_).has_value();
+  }
+
+ private:
+  std::uint64_t released_ = 0;
 };
 
 /// Sees by what all drives measured when they stopped. It looks more often than they move, and so

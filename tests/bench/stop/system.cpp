@@ -36,7 +36,7 @@ StopSystem::StopSystem(const suture::Lane& lane) : isOneProcess_(lane == suture:
     connectVision(*manager_, {}, lane);
   }
   connectWatchers(lane);
-  (void)panel_.stop.release();
+  release();
 }
 
 StopSystem::~StopSystem() { manager_->stop(); }
@@ -113,12 +113,16 @@ std::int64_t StopSystem::untilStopped(Time from) {
   return (watch_.allStopped() - from).count();
 }
 
+void StopSystem::release() {
+  await("a press that can be released", [this] { return panel_.release(); });
+}
+
 std::int64_t StopSystem::press() {
   enableAll();
   const Time pressed = now();
   (void)panel_.stop.press();
   const std::int64_t took = untilStopped(pressed);
-  (void)panel_.stop.release();
+  release();
   return took;
 }
 

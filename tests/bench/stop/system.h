@@ -42,6 +42,7 @@ class StopSystem {
   void enableAll();
   std::int64_t untilStopped(suture::Time from);
   std::int64_t signalDesk(int signal);
+  void release();
   template <class Condition>
   void await(const char* what, const Condition& condition) const;
 

@@ -85,7 +85,7 @@ class AssistantTest : public testing::Test {
   void pressAndRelease() {
     ASSERT_TRUE(bystander_.button.press());
     pass(1s);
-    ASSERT_TRUE(bystander_.button.release());
+    ASSERT_TRUE(bystander_.button.release(coordinator_.permit().press));
   }
   /// Makes the slave's drives say nothing for too long.
   void failSlave() {
@@ -152,7 +152,7 @@ TEST_F(AssistantTest, LeavesTheStopOfAnotherAlone) {
   pass(10s);
   EXPECT_FALSE(mayHavePower() || follows());
   EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Disabled);
-  ASSERT_TRUE(bystander_.button.release());
+  ASSERT_TRUE(bystander_.button.release(coordinator_.permit().press));
   EXPECT_TRUE(until([this] { return follows(); })) << "it enables what waits";
 }
 
@@ -182,7 +182,7 @@ TEST_F(AssistantTest, LeavesTheStopOfARunningCoordinator) {
   manager_.resume("Coordinator");
   pass(10s);
   EXPECT_FALSE(mayHavePower() || follows());
-  ASSERT_TRUE(bystander_.button.release());
+  ASSERT_TRUE(bystander_.button.release(coordinator_.permit().press));
   EXPECT_TRUE(until([this] { return follows(); }));
 }
 
@@ -194,7 +194,7 @@ TEST_F(AssistantTest, LeavesAStopFromBeforeItsStart) {
   startAnother(2s);
   pass(10s);
   EXPECT_FALSE(mayHavePower() || follows());
-  ASSERT_TRUE(bystander_.button.release());
+  ASSERT_TRUE(bystander_.button.release(coordinator_.permit().press));
   pass(10s);
   EXPECT_TRUE(mayHavePower() && follows()) << "its script is over, and the first one enables";
 }
@@ -278,8 +278,10 @@ TEST_F(AssistantTest, LeavesAnArmInFault) {
   expectSlaveStaysDisabled();
 }
 
+// The slave homes slowly, so that it fails on its way.
 TEST_F(AssistantTest, LeavesASystemWithAFaultedArm) {
   startWithConsole();
+  ASSERT_TRUE(bystander_.slave.trajectory_j_set_ratio(0.1));
   ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Homing; }));
   failSlave();
   ASSERT_TRUE(until([this] { return console_->console_state() == ConsoleState::Down; }));

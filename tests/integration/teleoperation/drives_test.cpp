@@ -114,7 +114,7 @@ TEST_F(DrivenArmTest, StopsThoughItNeedsNoPermit) {
   EXPECT_TRUE(becomes(ArmState::Disabled)) << "the coordinator starts pressed";
   EXPECT_EQ(psm_.drives.feedback().power, DrivePower::Stopped);
   manager_.connect("Panel/Stop", "Coordinator/Stop");
-  EXPECT_TRUE(panel_.button.release());
+  EXPECT_TRUE(panel_.button.release(coordinator_.permit().press));
   pass(50ms);
   EXPECT_EQ(psm_.drives.feedback().power, DrivePower::Off) << "an arm has to be enabled";
   EXPECT_TRUE(panel_.arm.enable());

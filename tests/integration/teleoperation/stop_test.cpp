@@ -30,6 +30,11 @@ struct OperatorPanel final : suture::Device {
   suture::Required<Arm> left{*this, "Left"}, right{*this, "Right"};
 };
 
+/// Has a button at the other workstation.
+struct DeputyPanel final : suture::Device {
+  suture::Required<EmergencyStop> button{*this, "Stop"};
+};
+
 /// Runs the desk, the left and the right workstation as three processes; with Lane::Auto all are in
 /// one.
 class Stop : public testing::TestWithParam<suture::Lane> {
@@ -37,13 +42,14 @@ class Stop : public testing::TestWithParam<suture::Lane> {
   static constexpr suture::Duration kPermit = 30ms;
   static constexpr suture::Duration kSilence = 500ms;  // longer than a permit
 
-  Stop() {
+  explicit Stop(const CoordinatorParameters& parameters = {}) : coordinator_(parameters) {
     desk().add("Coordinator", coordinator_);
     leftMaster_.addTo(left_, "MTML");
     leftSlave_.addTo(left_, "PSM2");
     left_.add("Panel", panel_);
     rightMaster_.addTo(right(), "MTMR");
     rightSlave_.addTo(right(), "PSM1");
+    right().add("Deputy", deputy_);
     left_.start();
     if (!isOneProcess()) {
       desksProcess_.run([this] { desk_.start(); });
@@ -53,11 +59,12 @@ class Stop : public testing::TestWithParam<suture::Lane> {
     for (const char* const arm : {"MTMR", "PSM1"})
       connectStop(right(), arm + std::string("Drives"));
     connectStop(left_, "Panel");
+    connectStop(right(), "Deputy");
     left_.connect("Panel/Left", "PSM2/Arm");
     connect(left_, "Panel/Right", "right", "PSM1/Arm");
     pass(50ms);
     EXPECT_TRUE(all(DrivePower::NotReady) && allAre(ArmState::Undefined)) << "it starts pressed";
-    EXPECT_TRUE(panel_.button.release());
+    EXPECT_TRUE(panel_.button.release(coordinator_.permit().press));
     EXPECT_TRUE(until([this] { return all(DrivePower::Off) && allAre(ArmState::Disabled); }));
   }
   ~Stop() override {
@@ -111,10 +118,11 @@ class Stop : public testing::TestWithParam<suture::Lane> {
   suture::TestClock::Process rightsProcess_{suture::clockOfTest()};
   suture::rpc::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
-  Coordinator coordinator_{CoordinatorParameters{}};
+  Coordinator coordinator_;
   DrivenMtm leftMaster_{Side::Left, kPermit}, rightMaster_{Side::Right, kPermit};
   DrivenPsm leftSlave_{kPermit}, rightSlave_{kPermit};
   OperatorPanel panel_;
+  DeputyPanel deputy_;
   suture::Manager desk_{"desk", names_.address()}, left_{"left", names_.address()},
       right_{"right", names_.address()};
 
@@ -122,9 +130,10 @@ class Stop : public testing::TestWithParam<suture::Lane> {
     connect(client, component + "/Stop", "desk", "Coordinator/Stop");
   }
 
- private:
   static bool isOneProcess() { return GetParam() == suture::Lane::Auto; }
   suture::Manager& right() { return isOneProcess() ? left_ : right_; }
+
+ private:
   suture::Manager& desk() { return isOneProcess() ? left_ : desk_; }
   static void connect(suture::Manager& client, const std::string& required,
                       const std::string& process, const std::string& provided) {
@@ -158,7 +167,7 @@ TEST_P(Stop, NeitherArmsNorReleaseUndoIt) {
   pass(10ms);
   EXPECT_TRUE(all(DrivePower::Stopped));
   EXPECT_TRUE(allAre(ArmState::Disabled));
-  const auto released = panel_.button.release();
+  const auto released = panel_.button.release(coordinator_.permit().press);
   ASSERT_TRUE(released) << suture::toString(released.error());
   pass(100ms);
   EXPECT_TRUE(all(DrivePower::Off)) << "power is permitted, and nobody has asked for it";
@@ -168,8 +177,10 @@ TEST_P(Stop, NeitherArmsNorReleaseUndoIt) {
 
 TEST_P(Stop, ABriefStopStopsTheDrives) {
   beginMoving();
+  const std::uint64_t before = coordinator_.permit().press;
   ASSERT_TRUE(panel_.button.press());
-  ASSERT_TRUE(panel_.button.release());
+  ASSERT_TRUE(until([&] { return coordinator_.permit().press != before; }));
+  ASSERT_TRUE(panel_.button.release(coordinator_.permit().press));
   pass(10ms);
   EXPECT_TRUE(all(DrivePower::Off)) << "they stopped, and may have power again";
   EXPECT_TRUE(allAre(ArmState::Disabled));
@@ -184,12 +195,54 @@ TEST_P(Stop, StopsDrivesWhoseArmHangs) {
   EXPECT_TRUE(stands(leftSlave_));
 }
 
+/// Has a second button, without which nobody releases the stop.
+class TwoButtons : public Stop {
+ protected:
+  TwoButtons() : Stop({.buttons = {isOneProcess() ? "left:Deputy/Stop" : "right:Deputy/Stop"}}) {}
+  void releaseByPanel() {
+    EXPECT_TRUE(panel_.button.release(coordinator_.permit().press));
+    pass(50ms);
+  }
+  bool isReleased() const { return coordinator_.permit().granted; }
+};
+INSTANTIATE_TEST_SUITE_P(Lanes, TwoButtons,
+                         testing::Values(suture::Lane::Auto, suture::Lane::Shm, suture::Lane::Frame,
+                                         suture::Lane::Rpc),
+                         [](const auto& one) { return toString(one.param); });
+
+TEST_P(TwoButtons, ReleaseKeepsANewerPress) {
+  ASSERT_TRUE(deputy_.button.press());
+  pass(50ms);
+  const std::uint64_t heard = coordinator_.permit().press;
+  ASSERT_TRUE(panel_.button.press());
+  pass(10ms);
+  ASSERT_TRUE(deputy_.button.release(heard));
+  pass(50ms);
+  EXPECT_FALSE(isReleased()) << "somebody has pressed since";
+  releaseByPanel();
+  EXPECT_TRUE(isReleased());
+}
+
+TEST_P(TwoButtons, ALostButtonPressesIt) {
+  beginMoving();
+  right().disconnect("Deputy/Stop");
+  pass(50ms);
+  EXPECT_TRUE(all(DrivePower::Stopped));
+  releaseByPanel();
+  EXPECT_FALSE(isReleased()) << "nobody could press the other one";
+  connectStop(right(), "Deputy");
+  pass(50ms);
+  EXPECT_FALSE(isReleased());
+  releaseByPanel();
+  EXPECT_TRUE(isReleased());
+}
+
 /// Runs only where the arms and the coordinator are in different processes.
 class StopAcross : public Stop {
  protected:
   void expectStoppedUntilReleased() {
     EXPECT_TRUE(all(DrivePower::Stopped));
-    EXPECT_TRUE(panel_.button.release());
+    EXPECT_TRUE(panel_.button.release(coordinator_.permit().press));
     pass(50ms);
     EXPECT_TRUE(all(DrivePower::Off)) << "an operator has decided it";
   }
@@ -252,11 +305,27 @@ TEST_P(StopAcross, ALateClientReleasesIt) {
   desksProcess_.thaw();
   pass(50ms);
   connectStop(left_, "Panel");
-  EXPECT_TRUE(panel_.button.release());
+  EXPECT_TRUE(panel_.button.release(coordinator_.permit().press));
   pass(50ms);
   left_.disconnect("Panel/Stop");
   pass(50ms);
   EXPECT_TRUE(coordinator_.permit().granted);
+}
+
+// The client was new after no pause or an earlier one, and is told to have gone some cycles later.
+TEST_P(StopAcross, ALatecomersLostPressPressesIt) {
+  const suture::ProvidedBase& stop = *coordinator_.provided().front();
+  const suture::ConnectedClient late("late:Panel/Stop");
+  coordinator_.onClient(stop, late, suture::ClientNews::Connected);
+  pass(10ms);
+  desksProcess_.freeze();
+  pass(100ms);
+  desksProcess_.thaw();
+  pass(10ms);
+  ASSERT_TRUE(coordinator_.permit().granted);
+  coordinator_.onClient(stop, late, suture::ClientNews::Silent);
+  pass(10ms);
+  EXPECT_FALSE(coordinator_.permit().granted);
 }
 
 TEST_P(StopAcross, StopsDrivesThatAreDisconnected) {

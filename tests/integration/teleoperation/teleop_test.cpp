@@ -120,13 +120,16 @@ TEST(Teleop, LeavesAnArmDisabledWhosePermitLapsed) {
   station.manager.connect("PSMDrives/Stop", "Coordinator/Stop");
   station.manager.connect("Button/Stop", "Coordinator/Stop");
   station.manager.start();
-  ASSERT_TRUE(button.stop.release());
+  ASSERT_TRUE(suture::eventually([&] { return coordinator.permit().press != 0; }));
+  const std::uint64_t first = coordinator.permit().press;
+  ASSERT_TRUE(button.stop.release(first));
   ASSERT_TRUE(reaches(station, TeleopState::Following));
 
   station.manager.suspend("Coordinator");
   ASSERT_TRUE(suture::eventually([&] { return slaveState(station) == ArmState::Disabled; }));
   station.manager.resume("Coordinator");
-  ASSERT_TRUE(suture::eventually([&] { return button.stop.release().has_value(); }));
+  ASSERT_TRUE(suture::eventually([&] { return coordinator.permit().press != first; }));
+  ASSERT_TRUE(button.stop.release(coordinator.permit().press));
   ASSERT_TRUE(
       suture::eventually([&] { return station.psm.drives.feedback().power == DrivePower::Off; }));
   ASSERT_TRUE(cyclesPass(station.teleop, 500));

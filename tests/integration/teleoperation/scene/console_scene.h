@@ -96,7 +96,8 @@ class ConsoleTest : public testing::Test {
     manager_.connect(name + "/TeleopL", "TeleopL/Teleoperation");
   }
   void release() {
-    EXPECT_TRUE(onlooker_.button.release());
+    pass(5ms);  // until permits tell of the last press
+    EXPECT_TRUE(onlooker_.button.release(coordinator_.permit().press));
     pass(50ms);
   }
   /// Makes the slave's drives say nothing for too long.
