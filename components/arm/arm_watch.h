@@ -20,6 +20,8 @@ class ArmWatch {
       state_ = state.state;
       homed_ = state.is_homed;
       busy_ = state.is_busy;
+      const bool streamed = std::exchange(streams_, state.sub_state == "servo_cp");
+      fellSilent_ = fellSilent_ || (streamed && !streams_);
       homing_ = homing_ && !ended && !homed_ && isEnabled();
       enableAsked_ = enableAsked_ || isEnabled();
       homeAsked_ = homeAsked_ || homed_;
@@ -45,6 +47,13 @@ class ArmWatch {
   /// the arm would refuse all further ones.
   bool hasBrokenOff() { return std::exchange(brokenOff_, false); }
 
+  /// Returns true if the arm carries out the goals of servo_cp that it gets. Goals that come too
+  /// late are dropped without a word, so a client must not say before that an arm follows it.
+  bool streams() const { return streams_; }
+  /// Returns true if the arm has ceased to do so since the last call though nobody asked it to by
+  /// hold(). Then the next goal may be far from where it holds, so a client must begin anew.
+  bool hasFallenSilent() { return std::exchange(fellSilent_, false); }
+
   /// Returns true if the arm has refused a goal since the last call and will refuse the next one,
   /// because its tool is not in. An arm tells all of its clients what it refuses any of them, so
   /// other warnings may be about a goal of somebody else.
@@ -65,7 +74,11 @@ class ArmWatch {
   void stopHoming() {
     if (!std::exchange(homing_, false)) return;
     homeAsked_ = false;
-    (void)arm_.hold();
+    hold();
+  }
+  /// Lets the arm hold where it is.
+  void hold() {
+    if (arm_.hold()) streams_ = false;
   }
   /// Lets prepare() ask again for what the arm is not, which an operator must have decided.
   void permit() {
@@ -81,6 +94,7 @@ class ArmWatch {
   bool homed_ = false;
   bool busy_ = false;
   bool brokenOff_ = false;
+  bool streams_ = false, fellSilent_ = false;
   bool refuses_ = false;
   bool enableAsked_ = false;  // or it has been enabled since somebody permitted it
   bool homeAsked_ = false;    // and so with its home

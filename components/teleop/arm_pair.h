@@ -29,6 +29,9 @@ inline constexpr const char* kGoalsRefused =
 /// Says what to do about arms that are not ready in time.
 inline constexpr const char* kNotReadyInTime =
     "the arms have not become ready in time; enable those in FAULT, then this";
+/// Says what to do about a slave that does not carry out goals in time.
+inline constexpr const char* kGoalsNotTaken =
+    "a slave carries out no goal; look at its warnings, and if goals reach it within their 20 ms";
 
 /// Belongs to the thread of the component that owns both required interfaces, which has it as a
 /// member declared after them.
@@ -73,7 +76,7 @@ class ArmPair {
   }
   /// Lets the slave hold where it is. Does not disturb others who move one that is not ready.
   void holdSlave() {
-    if (slaveWatch_.ready()) (void)slave_.hold();
+    if (slaveWatch_.ready()) slaveWatch_.hold();
   }
 
  private:

@@ -18,7 +18,7 @@ struct FollowSettings {
   bool translation_locked = false;
 };
 
-/// Immutable; no method allocates or throws. The law is x_s = x_s0 + s V (x_m - x_m0), R_s = V R_m
+/// No method allocates or throws. The law is x_s = x_s0 + s V (x_m - x_m0), R_s = V R_m
 /// A with A = (V R_m0)^T R_s0: translation is relative to where following began and scaled,
 /// orientation is rigidly coupled, both as they look in the view V. It is the law of the da Vinci
 /// Research Kit (sawIntuitiveResearchKit, mtsTeleOperationPSM).
@@ -40,6 +40,10 @@ class FollowLaw {
   static bool isValidScale(double scale) { return std::isfinite(scale) && scale > 0; }
 
   const FollowSettings& settings() const { return settings_; }
+
+  /// Leads the slave from now on so far away from where it would have led it (its reference frame,
+  /// m).
+  void shift(const Eigen::Vector3d& by) { slave0_.translation() += by; }
 
   /// Returns where the slave shall be (its reference frame, m) while the master is at `master`.
   Eigen::Isometry3d follow(const Eigen::Isometry3d& master) const {

@@ -96,10 +96,12 @@ void Teleop::run() {
 
 void Teleop::step(suture::Time now) {
   const auto poses = arms_.poses(parameters_.max_age);
-  if (arms_.slave().refuses() && state_ == TeleopState::Following) return giveUp(kGoalsRefused);
+  const bool sendsGoals = state_ == TeleopState::Following || offers_;
+  if (arms_.slave().refuses() && sendsGoals) return giveUp(kGoalsRefused);
   const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
   const bool rebased = poses && poses->rebased;
-  if (arms_.slave().hasBrokenOff() || missed || rebased) {
+  const bool fellSilent = arms_.slave().hasFallenSilent();
+  if (arms_.slave().hasBrokenOff() || fellSilent || missed || rebased) {
     law_.reset();
     jawFollower_.end();
   }
@@ -108,9 +110,9 @@ void Teleop::step(suture::Time now) {
     return leave(TeleopState::Preparing);
   }
   if (!operator_.teleoperates()) return leave(TeleopState::Clutched);
-  if ((!law_ || isTurned_) && !isAligned(*poses, now)) {
-    return leave(TeleopState::Aligning);
-  }
+  const bool begins = !law_ || isTurned_;
+  if (begins && !arms_.slave().streams()) return offerGoal(TeleopState::Preparing, *poses);
+  if (begins && !isAligned(*poses, now)) return offerGoal(TeleopState::Aligning, *poses);
   if (!arms_.ready()) return leave(TeleopState::Preparing);
   isTurned_ = false;
   follow(*poses);
@@ -134,6 +136,12 @@ bool Teleop::knowsView() {
 bool Teleop::isAligned(const ArmPoses& poses, suture::Time now) {
   if (!parameters_.align || settings_.rotation_locked) return true;
   return alignment_.align(poses.master.pose, view_.transpose() * poses.slave.pose.linear(), now);
+}
+
+/// Asks the slave to be where it is. That it does so shows that goals reach it in time.
+void Teleop::offerGoal(TeleopState state, const ArmPoses& poses) {
+  leave(state);
+  offers_ = slave_.servo_cp({poses.slave.pose, poses.master.stamp, true}).has_value();
 }
 
 void Teleop::follow(const ArmPoses& poses) {
@@ -160,6 +168,7 @@ FollowSettings Teleop::lawSettings() const {
 
 /// Announces that it follows: the first goal is on its way to the slave.
 void Teleop::announce(const PoseStamped& master, const Eigen::Isometry3d& slave) {
+  offers_ = false;
   anchors_ = {.master_stamp = master.stamp,
               .master = master.pose,
               .slave_setpoint = slave,
@@ -178,10 +187,10 @@ bool Teleop::prepares() const {
 
 void Teleop::giveUpIfLate() {
   if (!prepares() || !preparation_.isOver()) return;
-  giveUp(state_ == TeleopState::Preparing
-             ? kNotReadyInTime
-             : "the master has not turned to the slave's orientation in time; look at its "
-               "warnings, then enable");
+  if (state_ == TeleopState::Preparing) return giveUp(offers_ ? kGoalsNotTaken : kNotReadyInTime);
+  giveUp(
+      "the master has not turned to the slave's orientation in time; look at its warnings, then "
+      "enable");
 }
 
 void Teleop::giveUp(const char* why) {
@@ -189,11 +198,13 @@ void Teleop::giveUp(const char* why) {
   messages_.error(why);
 }
 
-/// Ends following. A slave that can obey holds where it is, and so does a master that is being
-/// turned. Nor does an arm go on home for a teleoperation that is disabled.
+/// Ends following. A slave that can obey holds where it is, or stays there by the goals that it
+/// gets while the master is aligned, and a master that is being turned holds. Nor does an arm go on
+/// home for a teleoperation that is disabled.
 void Teleop::leave(TeleopState state) {
   law_.reset();
-  if (state_ == TeleopState::Following) arms_.holdSlave();
+  offers_ = false;
+  if (state_ == TeleopState::Following && state != TeleopState::Aligning) arms_.holdSlave();
   if (state != TeleopState::Aligning) alignment_.end();
   if (state == TeleopState::Disabled) arms_.stopPreparing();
   jawFollower_.end();

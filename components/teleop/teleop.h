@@ -67,9 +67,11 @@ struct SUTURE_TYPE() TeleopParameters {
 /// Knows only contracts, and nothing of where arms and console are. It follows only while both arms
 /// are enabled, homed and not busy, both arms' data are fresh, and the surgeon is there without a
 /// foot on a pedal that takes the master. Each time that this becomes true, or the task itself
-/// could not look for longer than max_age, it aligns the master and takes new anchors, so the slave
-/// never jumps. With a registration, directions are those that the surgeon sees. With a gripper and
-/// a jaw, the jaw follows too (jaw_law.h).
+/// could not look for longer than max_age, it sends the slave its own set-point
+/// until the slave carries that out, aligns the master and takes new anchors, so the slave never
+/// jumps.
+/// With a registration, directions are those that the surgeon sees. With a gripper and a jaw, the
+/// jaw follows too (jaw_law.h).
 class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Teleoperation {
  public:
   /// Throws suture::SetupError for a scale or an age that is not above zero, an age above a minute,
@@ -96,6 +98,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   void step(suture::Time now);
   bool knowsView();
   bool isAligned(const ArmPoses& poses, suture::Time now);
+  void offerGoal(TeleopState state, const ArmPoses& poses);
   void follow(const ArmPoses& poses);
   FollowSettings lawSettings() const;
   void announce(const PoseStamped& master, const Eigen::Isometry3d& slave);
@@ -130,6 +133,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   Eigen::Matrix3d view_ = Eigen::Matrix3d::Identity();
   FollowAnchors anchors_;
   std::optional<FollowLaw> law_;
+  bool offers_ = false;    // the slave gets its own set-point as a goal
   bool lawIsOld_ = false;  // the settings have changed since the law was made
 };
 

@@ -33,7 +33,8 @@ struct SUTURE_TYPE() FollowAnchors {
 
 enum class SUTURE_TYPE() TeleopState : std::uint8_t {
   Disabled,   ///< until enable()
-  Preparing,  ///< waits for both arms: connected, enabled, homed, and fresh data of both
+  Preparing,  ///< waits for both arms: connected, enabled, homed, fresh data of both, and a slave
+              ///< that carries out goals
   Following,
   Aligning,  ///< turns the master to the orientation that the slave has in the view
   Clutched,  ///< the clutch is pressed, or nobody is at the console: the slave holds, the master is

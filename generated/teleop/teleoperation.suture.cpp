@@ -220,7 +220,8 @@ constexpr char kTeleoperationDescription[] = R"json(
 "kind": "struct", "name": "robots::TeleopSettings"}}, "queue": 16, "latched": true}], "enums": [{
 "name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [{"name": "Disabled",
 "value": 0, "wire": "disabled", "doc": "until enable()"}, {"name": "Preparing", "value": 1,
-"wire": "preparing", "doc": "waits for both arms: connected, enabled, homed, and fresh data of both"
+"wire": "preparing",
+"doc": "waits for both arms: connected, enabled, homed, fresh data of both, and a slave\nthat carries out goals"
 }, {"name": "Following", "value": 2, "wire": "following"}, {"name": "Aligning", "value": 3,
 "wire": "aligning", "doc": "turns the master to the orientation that the slave has in the view"}, {
 "name": "Clutched", "value": 4, "wire": "clutched",

@@ -12,7 +12,8 @@ enum TeleopState @0x82c72c556eb58a10 $Meta.cxx("robots::TeleopState") $Meta.unde
   disabled @0 $Meta.cxx("Disabled") $Meta.value(0);
   # until enable()
   preparing @1 $Meta.cxx("Preparing") $Meta.value(1);
-  # waits for both arms: connected, enabled, homed, and fresh data of both
+  # waits for both arms: connected, enabled, homed, fresh data of both, and a slave
+  # that carries out goals
   following @2 $Meta.cxx("Following") $Meta.value(2);
   aligning @3 $Meta.cxx("Aligning") $Meta.value(3);
   # turns the master to the orientation that the slave has in the view

@@ -64,6 +64,11 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     longestStep_ = distance;
   }
+  /// Drops goals without a word, as those are that come late.
+  void missGoals(bool miss) {
+    const std::lock_guard lock(mutex_);
+    missesGoals_ = miss;
+  }
   /// Slides along a limit: its z stays above, m, whatever goal it takes.
   void stayAbove(double z) {
     const std::lock_guard lock(mutex_);
@@ -150,6 +155,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
 
   void servo_cp(const PoseStamped& goal) override {
     const std::lock_guard lock(mutex_);
+    if (missesGoals_) return;
     if ((goal.pose.translation() - pose_.translation()).norm() > longestStep_) {
       suture::Message refusal;
       refusal.code = static_cast<std::uint32_t>(ArmWarning::StepTooFar);
@@ -157,6 +163,8 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
       return;
     }
     goals_.push_back(goal);
+    activity_ = "servo_cp";
+    obeyed_ = suture::now();
     pose_ = goal.pose;
     pose_.translation().z() = std::max(pose_.translation().z(), lowest_);
   }
@@ -175,6 +183,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     ++holds_;
     homing_ = false;
+    activity_ = "holding";
   }
   PoseStamped measured_cp() const override { return {pose(), stamp_, true}; }
   PoseStamped setpoint_cp() const override {
@@ -213,12 +222,14 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   }
   void tellStateIfNew() {
     const std::lock_guard lock(mutex_);
+    if (suture::now() - obeyed_ > std::chrono::milliseconds(100)) activity_ = "holding";
     const ArmState state = saysDisabled_ ? ArmState::Disabled : ArmState::Enabled;
-    const bool isNew =
-        state != state_.state || state_.is_homed == forgot_ || state_.is_busy != homing_;
+    const bool isNew = state != state_.state || state_.is_homed == forgot_ ||
+                       state_.is_busy != homing_ || state_.sub_state != activity_;
     state_.state = state;
     state_.is_homed = !forgot_;
     state_.is_busy = homing_;
+    state_.sub_state = activity_;
     if (isNew) port_.emit().operating_state(state_);
   }
   bool isSilent() {
@@ -239,11 +250,14 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   std::size_t moves_ = 0, holds_ = 0, homes_ = 0;
   std::optional<ArmWarning> said_;
   bool forgot_ = false, homing_ = false;
-  bool silent_ = false, stuck_ = false, refusesMoves_ = false, saysDisabled_ = false;
+  bool silent_ = false, stuck_ = false, missesGoals_ = false, refusesMoves_ = false,
+       saysDisabled_ = false;
   std::atomic<bool> saysTurn_ = false;
   suture::Time stamp_;
   suture::Duration ahead_{0};
   OperatingState state_;
+  const char* activity_ = "holding";
+  suture::Time obeyed_;  // when it obeyed the last goal
   JointConfiguration configuration_;
   Jacobian jacobian_;
   TransformStamped base_;

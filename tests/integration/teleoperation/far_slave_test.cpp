@@ -1,0 +1,60 @@
+// Nothing says that a slave follows which its goals reach too late, and it does not lunge when they
+// reach it again.
+
+#include "integration/teleoperation/scene/followed_arms.h"
+
+namespace robots::test {
+namespace {
+
+class FarSlave : public TeleopStates {
+ protected:
+  /// Goals take so much longer from now on.
+  void delayGoals(suture::Duration by) {
+    manager_.disconnect("Teleop/Slave");
+    manager_.connect("Teleop/Slave", "PSM/Arm", {.delay = {.commands = by}});
+  }
+  void expectItNeverFollows() {
+    pass(200ms);  // until a slave that got goals before says that it gets none
+    for (int i = 0; i < 50; ++i) {
+      pass(20ms);
+      ASSERT_EQ(operator_.state(), TeleopState::Preparing);
+    }
+    EXPECT_EQ(wayOfSlave({0.1, 0, 0}), Vector3d::Zero());
+  }
+};
+
+TEST_F(FarSlave, NobodySaysThatItFollows) {
+  startFollowing();
+  delayGoals(50ms);
+  ASSERT_TRUE(reaches(TeleopState::Preparing));
+  expectItNeverFollows();
+  pass(61s);
+  EXPECT_EQ(operator_.state(), TeleopState::Disabled);
+  EXPECT_NE(operator_.error.find("carries out no goal"), std::string::npos) << operator_.error;
+}
+
+TEST_F(FarSlave, FollowsFromWhereItIs) {
+  startFollowing();
+  delayGoals(50ms);
+  expectItNeverFollows();
+  delayGoals(10ms);
+  ASSERT_TRUE(reaches(TeleopState::Following));
+  pass(50ms);
+  EXPECT_TRUE(slave_.pose().isApprox(poseAt({0.3, 0, 0}, -0.4), 1e-9)) << "it jumped";
+}
+
+// The hand goes on while goals are late, and the arm holds by itself meanwhile.
+TEST_F(FarSlave, ForgetsWhatItMissed) {
+  startFollowing();
+  slave_.missGoals(true);
+  EXPECT_EQ(wayOfSlave({0.2, 0.1, 0}), Vector3d::Zero());
+  ASSERT_TRUE(reaches(TeleopState::Preparing));
+  slave_.missGoals(false);
+  ASSERT_TRUE(reaches(TeleopState::Following));
+  pass(50ms);
+  EXPECT_TRUE(slave_.pose().isApprox(poseAt({0.3, 0, 0}, -0.4), 1e-9)) << "it jumped";
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
+}
+
+}  // namespace
+}  // namespace robots::test
