@@ -50,8 +50,8 @@ struct RoomPair {
 ///    other, it would run through the knot, which would not move with the tips any more. What the
 ///    knot resists with is taken to act along the line of approach, so the tensions are as the
 ///    sines of the angles there, and the capstan's law bounds their ratio.
-/// A fixture only forbids: standing still is always permitted, and no arm moves unless its operator
-/// moves it.
+/// A fixture only forbids: standing still is always permitted, and no tip goes against its
+/// operator's wish or beyond it.
 class KnotFixtures {
  public:
   /// `approach` may have any length but zero.

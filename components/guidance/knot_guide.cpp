@@ -25,6 +25,8 @@ using Eigen::Vector3d;
 // The capstan's friction is not known better than this share of it, nor are the strand's ends
 // straight.
 constexpr double kHolding = 0.8;
+// A tip that is delayed goes on for so long after its hand has come to rest.
+constexpr double kCatchUp = 0.1;  // s
 
 /// Returns the parameters. Throws suture::SetupError for those with which nothing can be guided.
 const GuideParameters& checked(const GuideParameters& parameters) {
@@ -116,15 +118,17 @@ void KnotGuide::onFault() {
 void KnotGuide::run() {
   if (std::exchange(enableAtFirstCycle_, false)) enable();
   step();
-  if (state_ == GuidanceState::Preparing && preparation_.isOver()) giveUp(kNotReadyInTime);
+  if (state_ != GuidanceState::Preparing || !preparation_.isOver()) return;
+  giveUp(offers_ ? kGoalsNotTaken : kNotReadyInTime);
 }
 
 void KnotGuide::step() {
   const bool disabled = state_ == GuidanceState::Disabled;
+  const bool sendsGoals = std::exchange(offers_, false) || state_ == GuidanceState::Guiding;
   for (Side* side : {&left_, &right_}) {
     if (!disabled) side->arms.prepare();
   }
-  if (isRefused() && state_ == GuidanceState::Guiding) return giveUp(kGoalsRefused);
+  if (isRefused() && sendsGoals) return giveUp(kGoalsRefused);
   const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
   if (missed) estimate_.forget();  // where the tips have been meanwhile is not known
   if (!readArms()) {
@@ -136,9 +140,11 @@ void KnotGuide::step() {
   if (disabled) return;
   if (!operator_.teleoperates()) return leave(GuidanceState::Clutched);
   if (parameters_.fixtures && !progress_.valid) return leave(GuidanceState::Blind);
-  if ((mustBeginAnew() || missed) && !begin()) return leave(GuidanceState::Preparing);
+  const bool streams = left_.arms.slave().streams() && right_.arms.slave().streams();
+  if ((mustBeginAnew() || missed || !streams) && !begin()) return leave(GuidanceState::Preparing);
   if (!move()) return leave(GuidanceState::Preparing);
-  enter(GuidanceState::Guiding);
+  offers_ = !streams;
+  enter(streams ? GuidanceState::Guiding : GuidanceState::Preparing);
 }
 
 /// Returns false if it is not known where things stand. While the guide guides, a scene that is
@@ -231,7 +237,10 @@ void KnotGuide::giveUp(const char* why) {
 bool KnotGuide::mustBeginAnew() {
   const bool leftBroke = left_.arms.slave().hasBrokenOff();
   const bool rightBroke = right_.arms.slave().hasBrokenOff();
-  if (leftBroke || rightBroke || !left_.law || !right_.law) return true;
+  const bool leftIsSilent = left_.arms.slave().hasFallenSilent();
+  const bool rightIsSilent = right_.arms.slave().hasFallenSilent();
+  if (leftBroke || rightBroke || leftIsSilent || rightIsSilent) return true;
+  if (!left_.law || !right_.law) return true;
   // A set-point may come back as late as max_age, and it is looked at a cycle or two later.
   const double most =
       std::numbers::sqrt3 * parameters_.speed * inSeconds(parameters_.max_age + 2 * period());
@@ -266,10 +275,12 @@ bool KnotGuide::move() {
   const double seconds = inSeconds(parameters_.period);
   const Isometry3d left = left_.goal(frames_.left_base, tips_.left, seconds);
   const Isometry3d right = right_.goal(frames_.right_base, tips_.right, seconds);
-  const TipPair step = permitted({frames_.left_base * left.translation() - tips_.left,
-                                  frames_.right_base * right.translation() - tips_.right},
-                                 {left_.room(left, frames_.left_base, tips_.left, seconds),
-                                  right_.room(right, frames_.right_base, tips_.right, seconds)});
+  const TipPair wish{frames_.left_base * left.translation() - tips_.left,
+                     frames_.right_base * right.translation() - tips_.right};
+  const TipPair step =
+      permitted(wish, {left_.room(left, frames_.left_base, tips_.left, seconds),
+                       right_.room(right, frames_.right_base, tips_.right, seconds)});
+  forget(wish, step);
   tips_.left += step.left;
   tips_.right += step.right;
   const bool leftTook = send(left_, left, frames_.left_base, tips_.left);
@@ -304,17 +315,47 @@ TipAhead KnotGuide::Side::ahead(const Isometry3d& goal, const Isometry3d& base,
           .turns = toBase * turnBetween(turned, goal.linear())};
 }
 
-/// The knot is estimated from where the slaves say that their tips are, which comes back late; the
-/// fixtures are about where they have been sent.
-TipPair KnotGuide::permitted(const TipPair& desired, const RoomPair& rooms) {
-  const double seconds = inSeconds(parameters_.period);
+/// Returns where the knot is when the tips are where they have been sent. It is estimated from
+/// where the slaves say that their tips are, which comes back late.
+Vector3d KnotGuide::knotOfTips() const { return progress_.knot + tips_.mean() - setpoints_.mean(); }
+
+TipPair KnotGuide::permitted(const TipPair& wish, const RoomPair& rooms) {
+  if (!parameters_.fixtures) return {withoutHaste(wish.left), withoutHaste(wish.right)};
+  return fixtures_.constrain(tips_, knotOfTips(), wish, inSeconds(parameters_.period), rooms);
+}
+
+/// Returns the part of a wish that a tip may fulfil in one cycle if nothing but its speed bounds
+/// it.
+Vector3d KnotGuide::withoutHaste(const Vector3d& wish) const {
+  const double most = parameters_.speed * inSeconds(parameters_.period);
+  return wish.cwiseMin(most).cwiseMax(-most);
+}
+
+/// What the fixtures forbid is not made up for later, so that a tip whose hand rests does not move
+/// when they give way.
+void KnotGuide::forget(const TipPair& wish, const TipPair& step) {
+  left_.forget(wish.left - step.left - kept(wish.left, step.left), frames_.left_base);
+  right_.forget(wish.right - step.right - kept(wish.right, step.right), frames_.right_base);
+}
+
+/// Returns what later cycles shall fulfil of a wish of which this one fulfils `step`: what is only
+/// delayed, by the bound of the speed, or before the target by fixtures that slow the knot or lead
+/// it aside. It is no more than a tip comes in kCatchUp, nor does it lead beyond the target.
+Vector3d KnotGuide::kept(const Vector3d& wish, const Vector3d& step) const {
+  Vector3d delayed = wish - withoutHaste(wish);
   if (parameters_.fixtures) {
-    const Vector3d knot = progress_.knot + tips_.mean() - setpoints_.mean();
-    return fixtures_.constrain(tips_, knot, desired, seconds, rooms);
+    const Vector3d approach = parameters_.approach.normalized();
+    delayed += std::max(0.0, (wish - delayed - step).dot(approach)) * approach;
+    const double beyond = delayed.dot(approach) - std::max(0.0, progress_.distance_to_target);
+    delayed -= std::max(0.0, beyond) * approach;
   }
-  const double most = parameters_.speed * seconds;
-  return {desired.left.cwiseMin(most).cwiseMax(-most),
-          desired.right.cwiseMin(most).cwiseMax(-most)};
+  const double most = parameters_.speed * kCatchUp;
+  return delayed * (most / std::max(delayed.norm(), most));
+}
+
+/// Forgets so much of what the master has asked for, in the scene.
+void KnotGuide::Side::forget(const Vector3d& wish, const Isometry3d& base) {
+  law->shift(-(base.linear().transpose() * wish));
 }
 
 /// Sends `goal` with its tip moved to `tip` (in the scene). It keeps the stamp of the master's

@@ -71,9 +71,10 @@ struct SUTURE_TYPE() GuideParameters {
 /// directions that the surgeon sees (registration/surgeon_view.h), as far as the fixtures permit
 /// (guidance/fixtures.h). If one arm's data are old, or the knot has not been seen lately, or the
 /// surgeon is not there or presses a pedal that takes the masters, both slaves hold. Each time that
-/// none of this is so any more they begin anew from where they are. They also do if a slave's
-/// set-point is not where it was sent, because the fixtures are about where the tips are. A slave
-/// that would refuse all further goals disables the guide.
+/// none of this is so any more they begin anew from where they are, once both carry out goals. They
+/// also do if a slave's set-point is not where it was sent, because the fixtures are about where
+/// the tips are. What the fixtures forbid is not made up for later. A slave that would refuse all
+/// further goals disables the guide.
 class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
  public:
   /// Throws suture::SetupError for a line of approach without a direction, a scale that is not
@@ -110,6 +111,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
                    const Eigen::Vector3d& tip, double seconds) const;
     TipAhead ahead(const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
                    const Eigen::Vector3d& tip) const;
+    void forget(const Eigen::Vector3d& wish, const Eigen::Isometry3d& base);
 
     suture::Required<Arm> master, slave;
     ArmPair arms{master, slave};
@@ -137,7 +139,11 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   bool move();
   bool send(Side& side, const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
             const Eigen::Vector3d& tip);
-  TipPair permitted(const TipPair& desired, const RoomPair& rooms);
+  Eigen::Vector3d knotOfTips() const;
+  TipPair permitted(const TipPair& wish, const RoomPair& rooms);
+  Eigen::Vector3d withoutHaste(const Eigen::Vector3d& wish) const;
+  void forget(const TipPair& wish, const TipPair& step);
+  Eigen::Vector3d kept(const Eigen::Vector3d& wish, const Eigen::Vector3d& step) const;
   bool isRefused();
   void giveUp(const char* why);
   /// Stops following: both slaves hold.
@@ -165,6 +171,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   KnotEstimate estimate_;
   GuidanceState state_ = GuidanceState::Disabled;
   bool enableAtFirstCycle_;
+  bool offers_ = false;  // the slaves get their own set-points as goals
   GuidanceProgress progress_;
 };
 
