@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kLargestSlot = 16u << 20;
 
-/// Is one type that a contract carries, and the place where it does.
+/// This is one type that a contract carries, and the place where it does.
 struct Carried {
   std::string subject;
   const model::Type& type;

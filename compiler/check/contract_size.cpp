@@ -9,7 +9,7 @@ namespace {
 // A connection says in a word of 64 bits which reads it asks for, and in another which events.
 constexpr std::size_t kMost = 64;
 
-/// Is a read or an event of a contract.
+/// This is a read or an event of a contract.
 struct Counted {
   std::string subject;
   bool isInherited;

@@ -8,8 +8,8 @@
 
 namespace suture::compiler::check {
 
-/// Is one place within a type: how to get there ("position[].x") and the field that declares it,
-/// which is null for the type itself.
+/// This is one place within a type: how to get there ("position[].x") and the field that declares
+/// it, which is null for the type itself.
 struct Place {
   const model::Type& type;
   std::string path;

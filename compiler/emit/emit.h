@@ -14,7 +14,7 @@ namespace suture::compiler::emit {
 
 using model::Artefact;
 
-/// Is a file that is generated for each header: X.SUFFIX for X.h.
+/// An Output is a file that is generated for each header: X.SUFFIX for X.h.
 struct Output {
   const char* suffix;  ///< "suture.h"
   const char* use;     ///< what a build does with it: "include", "compile", or only "read"

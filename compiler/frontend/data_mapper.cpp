@@ -47,7 +47,7 @@ model::Enumerator mapEnumerator(const clang::EnumConstantDecl* declaration, Mapp
   return enumerator;
 }
 
-/// Is a data member on its way into the model.
+/// A Candidate is a data member on its way into the model.
 struct Candidate {
   const clang::FieldDecl* field;
   Annotation annotation;

@@ -26,8 +26,8 @@ struct Request {
   std::function<bool(const std::string& path)> hasLock;
 };
 
-/// Is one run of clang over one translation unit that includes all headers of a target. It stays
-/// open until destruction, so that later stages can report with the source at hand.
+/// A Frontend is one run of clang over one translation unit that includes all headers of a target.
+/// It stays open until destruction, so that later stages can report with the source at hand.
 class Frontend {
  public:
   explicit Frontend(Request request);

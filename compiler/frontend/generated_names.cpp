@@ -16,7 +16,7 @@ namespace {
 /// anything but a function with parameters, or what lies in namespace wire.
 enum class Clash { Any, NoFunction, NoOverload, Wire };
 
-/// Is one name that is generated, and for what.
+/// This is one name that is generated, and for what.
 struct Generated {
   Clash clash;
   std::string name;

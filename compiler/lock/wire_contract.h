@@ -12,7 +12,7 @@
 
 namespace suture::compiler::lock {
 
-/// Is a node and the file that it stands in.
+/// A PlacedNode is a node and the file that it stands in.
 struct PlacedNode {
   const Lock* lock = nullptr;
   const Node* node = nullptr;

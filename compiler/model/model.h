@@ -14,12 +14,12 @@
 
 namespace suture::compiler::model {
 
-/// Is what may be said of any declaration.
+/// This may be said of any declaration.
 struct Documentation {
   std::string text;  ///< the doc comment, markers stripped, lines joined with '\n'
 };
 
-/// Is what a declaration says of its own history.
+/// A declaration says this of its own history.
 struct Lifecycle {
   std::optional<unsigned> since;  ///< the version that it came with
   std::string deprecated;         ///< why it should not be used any more; "" = it may be
@@ -48,8 +48,8 @@ struct Field {
   std::string unit;       ///< "" = none said
   std::optional<std::pair<double, double>> range;
   std::optional<std::string> was;
-  /// Is the initialiser as JSON where it is a constant of a number, enum, duration (seconds, exact)
-  /// or string; "inf" and "-inf" are words; empty = zero.
+  /// This is the initialiser as JSON where it is a constant of a number, enum, duration (seconds,
+  /// exact) or string; "inf" and "-inf" are words; empty = zero.
   std::string defaultJson;
   std::vector<double> defaultNumbers{};  ///< of several numbers, those that its initialiser has
   bool isPreset = false;         ///< its struct's constructor may give it more than its type would
@@ -78,7 +78,7 @@ struct Enum {
   /// In C++; of an enum that cannot be edited perhaps a "char", which is no std::int8_t.
   std::string underlyingType = "std::int32_t";
   bool isOpen = false;  ///< no underlying type is declared, so that few integers are values of it
-  /// Is as in Struct.
+  /// As in Struct, this is the namespace of a foreign type.
   std::optional<std::string> foreignNamespace{};
   std::vector<Enumerator> enumerators;
   std::optional<std::string> was;  ///< its C++ name before, as written
@@ -174,7 +174,7 @@ struct Interface {
   Source source;
 };
 
-/// Is a Provided<I> or Required<I> member of a component.
+/// A Port is a Provided<I> or Required<I> member of a component.
 struct Port {
   std::string member;
   std::string name;       ///< "Slave", where the member's initialiser says it; else ""
@@ -197,7 +197,7 @@ struct Component {
   Source source;
 };
 
-/// Is everything one header declares, in the order of its text.
+/// A Header holds everything that one header declares, in the order of its text.
 struct Header {
   std::string path;          ///< "arm/arm.h": as included, and the stem of every artefact
   std::string file;          ///< where it was read, as clang opened it
@@ -217,7 +217,7 @@ enum class MacroOrigin { Header, CommandLine };
 
 struct Model {
   std::vector<Header> headers;  ///< own and foreign, sorted by path
-  /// Has the macros without parameters that are left behind the last header, by their names.
+  /// The macros without parameters that are left behind the last header stand here by their names.
   std::map<std::string, MacroOrigin> macros{};
 };
 

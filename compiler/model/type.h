@@ -32,7 +32,8 @@ enum class Scalar {
 
 enum class Clock { Steady, System };
 
-/// Is one of a closed set of shapes. Beside each shape stands which members below `shape` count.
+/// A Type is one of a closed set of shapes. Beside each shape stands which members below `shape`
+/// count.
 struct Type {
   enum class Shape {
     Scalar,      ///< scalar

@@ -11,7 +11,7 @@
 
 namespace suture::compiler::emit {
 
-/// Is kBreak as a piece of Code::line().
+/// This is kBreak as a piece of Code::line().
 inline constexpr char kBreakText[] = {kBreak, '\0'};
 
 /// Returns the template arguments of an Emitter or Subscription: "robots::PoseStampedSlot,
@@ -65,8 +65,8 @@ bool hasOwnParameters(const model::Interface& interface);
 bool reserves(const model::Type& type, const model::Lookup& lookup);
 bool reserves(const model::Struct& declaration, const model::Lookup& lookup);
 
-/// Is a parameter for which reserves() is true, with its command, which the contract declares
-/// itself.
+/// An Argument is a parameter for which reserves() is true, with its command, which the contract
+/// declares itself.
 struct Argument {
   const model::Command& command;
   const model::Parameter& parameter;

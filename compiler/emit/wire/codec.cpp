@@ -28,7 +28,7 @@ std::string wireRow(const model::Interface& interface) {
   return wireInterface(interface) + "StateRow";
 }
 
-/// Is a slot that travels as a message, with the functions between the two.
+/// A Message is a slot that travels as a message, with the functions between the two.
 struct Message {
   std::string name;    ///< what the functions are called behind "encode" and "decode"
   std::string slot;    ///< its type

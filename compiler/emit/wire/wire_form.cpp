@@ -79,7 +79,7 @@ std::string bulkFactor(const Type& type) {
   return type.bulk && !bytes ? " * sizeof(" + cxxScalar(scalar) + ")" : "";
 }
 
-/// Is where a value goes: a field of a struct builder, or element i of a list builder.
+/// A Target is where a value goes: a field of a struct builder, or element i of a list builder.
 class Target {
  public:
   static Target field(const std::string& out, const std::string& wireName) {
@@ -137,7 +137,8 @@ std::string encodeInto(const Type& type, const std::string& slot, const Target& 
          ") {" + lambdaBody(statement + ";") + "})";
 }
 
-/// Is an assignment, which cannot fail, or an expression of type Errc: either reads a value.
+/// A Reading is an assignment, which cannot fail, or an expression of type Errc: either reads a
+/// value.
 struct Reading {
   bool canFail;
   std::string text;

@@ -11,7 +11,8 @@
 
 namespace suture::compiler::emit {
 
-/// Is a value that is a field, a parameter or a result, and says where it lies on both sides.
+/// A WireValue is a value that is a field, a parameter or a result, and says where it lies on both
+/// sides.
 struct WireValue {
   const model::Type& type;
   std::string wireName;  ///< capnp's: "measuredCp"

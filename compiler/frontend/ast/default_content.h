@@ -15,7 +15,7 @@ namespace suture::compiler::frontend {
 /// none, or more than one.
 const clang::StringLiteral* literalIn(const clang::Expr* initialiser);
 
-/// Is what can be seen of an initialiser, at any depth of its type.
+/// This is what can be seen of an initialiser, at any depth of its type.
 struct DefaultContent {
   std::vector<double> numbers;  ///< those to which a range() of the member applies
   bool isTooLong = false;       ///< something has more elements or bytes than its capacity

@@ -23,10 +23,10 @@ struct Default {
   };
 
   State state = State::Nothing;
-  /// Is a number, an enumerator's name or a string; infinity is "inf" or "-inf", and a duration is
-  /// its seconds, with as many digits as it takes.
+  /// The value is a number, an enumerator's name or a string; infinity is "inf" or "-inf", and a
+  /// duration is its seconds, with as many digits as it takes.
   std::string json{};
-  /// Is what a member of several numbers certainly has among them.
+  /// A member of several numbers certainly has these among them.
   std::vector<double> numbers{};
 };
 

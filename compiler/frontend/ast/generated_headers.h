@@ -13,9 +13,9 @@ std::string sourceHeaderOf(llvm::StringRef generatedHeader);
 /// Returns "arm/arm.suture.h" for "arm/arm.h", and likewise for any other ending.
 std::string generatedHeaderOf(llvm::StringRef sourceHeader);
 
-/// Has the real files, but each X.suture.h reads as an include of the X.h beside which it is looked
-/// up and of the templates that it specialises. Files with that name on disk are never read, so
-/// there is no header cycle and a stale one does no harm.
+/// Shows the real files, but each X.suture.h reads as an include of the X.h beside which it is
+/// looked up and of the templates that it specialises. Files with that name on disk are never read,
+/// so there is no header cycle and a stale one does no harm.
 class GeneratedHeaders : public llvm::vfs::ProxyFileSystem {
  public:
   explicit GeneratedHeaders(llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> real);

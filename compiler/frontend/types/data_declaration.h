@@ -11,21 +11,21 @@
 
 namespace suture::compiler::frontend {
 
-/// Is a struct that enters the model: one that is annotated itself, an instance of a template by
-/// its alias, or a foreign one that SUTURE_EXTERNAL_TYPE names.
+/// A DataDeclaration is a struct that enters the model: one that is annotated itself, an instance
+/// of a template by its alias, or a foreign one that SUTURE_EXTERNAL_TYPE names.
 struct DataDeclaration {
   const clang::CXXRecordDecl* record;  ///< what it is made of
   const clang::NamedDecl* place;       ///< what gives it its name and home: errors stand there
   std::string name;                    ///< qualified
   std::string wireName;
-  /// Is what SUTURE_EXTERNAL_TYPE says of a type that cannot be edited; it is absent if the type
-  /// can be.
+  /// SUTURE_EXTERNAL_TYPE says this of a type that cannot be edited; it is absent if the type can
+  /// be.
   std::optional<Annotation> external;
   std::optional<std::string> was{};
   model::Lifecycle lifecycle{};
 };
 
-/// Is an enum that enters the model in the same way.
+/// An EnumDeclaration is an enum that enters the model in the same way.
 struct EnumDeclaration {
   const clang::EnumDecl* declaration;
   const clang::NamedDecl* place;

@@ -12,7 +12,7 @@ using clang::SourceLocation;
 using clang::SourceRange;
 using Place = model::Fix::Place;
 
-/// Is the text of one field, which is declared alone and without a macro.
+/// A FieldText is the text of one field, which is declared alone and without a macro.
 class FieldText {
  public:
   FieldText(const clang::FieldDecl* field, Mapping& mapping)

@@ -20,7 +20,7 @@ class TypeNames {
   /// Returns none if the alias is no such, or after an error.
   std::optional<DataDeclaration> addAlias(const clang::TypedefNameDecl* alias);
 
-  /// Is what SUTURE_EXTERNAL_TYPE names, or nothing after an error.
+  /// An External is what SUTURE_EXTERNAL_TYPE names, or nothing after an error.
   using External = std::variant<std::monostate, DataDeclaration, EnumDeclaration>;
   External addExternal(const clang::CXXMethodDecl* members);
 

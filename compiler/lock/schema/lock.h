@@ -32,11 +32,11 @@ inline std::string valueOf(const Annotations& annotations, const std::string& na
   return found == annotations.end() ? "none" : found->second;
 }
 
-/// Is something that has a name and a type: a field, a method, an enumerator, a parameter.
+/// A Member is something that has a name and a type: a field, a method, an enumerator, a parameter.
 struct Member {
   std::string name;  ///< on the wire
   unsigned ordinal = 0;
-  /// Is the type of a field or parameter; one of another file reads "/arm/arm.capnp:PoseStamped".
+  /// A field or a parameter has this type; one of another file reads "/arm/arm.capnp:PoseStamped".
   std::string type;
   std::string defaultValue;  ///< of a field, as capnp spells it; "" is zero
   bool isMethod = false;
@@ -49,7 +49,7 @@ struct Member {
   bool removed() const { return annotations.contains("removed"); }
 };
 
-/// Is a struct, an enum or an interface.
+/// A Node is a struct, an enum or an interface.
 struct Node {
   enum class Kind { Struct, Enum, Interface };
 
@@ -62,7 +62,7 @@ struct Node {
   std::vector<Member> members;  ///< in the order of the ordinals, without a gap
   std::string doc;
   unsigned line = 0;
-  /// Is where the node stands in the files as they are, if relocated() has moved it.
+  /// The node stands here in the files as they are, if relocated() has moved it.
   std::optional<TypePlace> cameFrom;
 
   bool removed() const { return annotations.contains("removed"); }
@@ -70,8 +70,8 @@ struct Node {
 
 /// Says what a node that a lock had is called now, and where.
 struct Departure {
-  /// Is its name in the lock that it has left, or in which it has another name now. If it came from
-  /// a lock that is not there any more, it is "/arm/arm.capnp:Pose".
+  /// The lock that the node has left calls it so, or the one in which it has another name now. If
+  /// it came from a lock that is not there any more, it is "/arm/arm.capnp:Pose".
   std::string name;
   std::uint64_t id = 0;  ///< of the node
   TypePlace to;          ///< when it left; it may have moved on since then
@@ -79,7 +79,7 @@ struct Departure {
   bool operator==(const Departure&) const = default;
 };
 
-/// Is one lock file.
+/// This is one lock file.
 struct Lock {
   std::string path;  ///< relative to the lock folder: "arm/arm.capnp"
   std::string text;

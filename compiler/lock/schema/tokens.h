@@ -21,8 +21,8 @@ class SyntaxError : public std::runtime_error {
 };
 
 struct Token {
-  /// Is an identifier, a number, a string with its quotes, "->", or one character; "" is the end of
-  /// the file.
+  /// The text is an identifier, a number, a string with its quotes, "->", or one character; "" is
+  /// the end of the file.
   std::string text;
   unsigned line = 0;
 };

@@ -7,7 +7,7 @@
 
 namespace suture::compiler::lock {
 
-/// Are the types of placeholders that once named a type of another file. They take as much of a
+/// Placeholders that once named a type of another file have this type. They take as much of a
 /// message as that did.
 inline constexpr char kForgotten[] = "AnyPointer";
 inline constexpr char kForgottenEnum[] = "UInt16";

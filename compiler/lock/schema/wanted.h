@@ -27,7 +27,7 @@ struct WantedNode {
   model::Source source;
 };
 
-/// Is the type of what travels with every command, behind the parameters that it was first locked
+/// What travels with every command has this type, behind the parameters that it was first locked
 /// with.
 inline constexpr char kSent[] = "/suture/rpc.capnp:Sent";
 
