@@ -9,7 +9,7 @@
 
 namespace suture::cli {
 
-/// Is one thing that was checked.
+/// A Step is one thing that was checked.
 struct Step {
   enum class State { Ok, Skipped, Failed, NotTried };
 
@@ -18,7 +18,7 @@ struct Step {
   std::string found, remedy;
 };
 
-/// Has the steps on the way to one thing.
+/// Holds the steps on the way to one thing.
 class Checklist {
  public:
   explicit Checklist(std::string subject) : subject_(std::move(subject)) {}

@@ -11,7 +11,7 @@
 namespace suture::cli {
 namespace {
 
-/// Is what a process itself says of its connections, of which the global manager knows nothing.
+/// A process itself says this of its connections, of which the global manager knows nothing.
 struct Asked {
   Connections connections;
   std::string whyNot;  ///< why that is not known; "" if it is

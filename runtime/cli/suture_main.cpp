@@ -30,7 +30,7 @@ using namespace suture::cli;
 
 constexpr int kFailed = 1, kMisused = 2;
 
-/// Is a verb on the command line.
+/// This is a verb on the command line.
 struct Verb {
   const char* name;
   const char* help;
@@ -50,7 +50,7 @@ constexpr Verb kVerbs[] = {
      makeKeys},
 };
 
-/// Has seconds as they were typed.
+/// Holds seconds as they were typed.
 struct Times {
   double patience = 5, period = 0;
 };

@@ -14,13 +14,13 @@ namespace {
 
 using Side = wire::Peer::Side;
 
-/// Is one of the two, and keeps its texts.
+/// An End is one of the two, and keeps its texts.
 struct End {
   Target target;
   Found found;
 };
 
-/// Has what a comparison needs of a description.
+/// Holds what a comparison needs of a description.
 struct Compared {
   explicit Compared(const std::string& description) : text(description) {
     const Json json = parsePeers(text);

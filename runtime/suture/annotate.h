@@ -34,7 +34,7 @@ struct EventOf {};
 template <class T>
 struct Wire;
 
-/// Is written by suturec, and reaches the members of a T that has SUTURE_FRIEND().
+/// suturec writes this; it reaches the members of a T that has SUTURE_FRIEND().
 template <class T>
 struct Members;
 
@@ -53,13 +53,13 @@ struct Generated {
   static_assert(hasGeneratedHeader<Declared>,
                 "include \"X.suture.h\" in place of the \"X.h\" that declares it: the build writes "
                 "X.suture.h, which includes X.h");
-  /// Is what a function returns that has to be specialised.
+  /// A function that has to be specialised returns this.
   template <class Result>
   static Result result();
 };
 
-/// Is a component's required interface of type Contract. Each contract's generated header
-/// specialises it:
+/// A Required is a component's required interface of type Contract. Each contract's generated
+/// header specialises it:
 ///   Required<Arm> slave_{*this, "Slave"};
 ///   slave_.servo_cp(goal);
 template <class Contract>
@@ -68,8 +68,8 @@ class Required : Generated<Contract> {
   Required(Component& owner, std::string_view name);
 };
 
-/// Is a component's provided interface of type Contract. Each contract's generated header
-/// specialises it:
+/// A Provided is a component's provided interface of type Contract. Each contract's generated
+/// header specialises it:
 ///   Provided<Arm> arm_{*this, "Arm", *this};
 ///   arm_.emit().operating_state(value);
 template <class Contract>

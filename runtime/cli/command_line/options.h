@@ -17,10 +17,10 @@ class UsageError : public SetupError {
   using SetupError::SetupError;
 };
 
-/// Is the name in the certificate that this program shows.
+/// The certificate that this program shows has this name.
 inline constexpr const char* kOwnName = "suture";
 
-/// Has the options of all verbs; each verb uses some.
+/// Holds the options of all verbs; each verb uses some.
 struct Options {
   std::string manager;                ///< address of the global manager, or of several
   std::string keys;                   ///< folder with its own; "": none

@@ -6,7 +6,7 @@
 
 namespace suture::cli {
 
-/// Is the subject of a verb. A part that was not said is empty.
+/// A Target is the subject of a verb. A part that was not said is empty.
 struct Target {
   std::string process, component, interface;
 

@@ -11,7 +11,7 @@
 
 namespace suture::cli {
 
-/// Is one command or event.
+/// A Member is one command or event.
 struct Member {
   std::string name;  ///< as in C++
   std::string kind;  ///< "read"
@@ -19,8 +19,8 @@ struct Member {
   capnp::InterfaceSchema::Method method;
 };
 
-/// Is what a process says of one of its interfaces. It may say anything: this refuses what cannot
-/// be used.
+/// A Contract is what a process says of one of its interfaces. It may say anything: this refuses
+/// what cannot be used.
 class Contract {
  public:
   /// `title` is like "provider:Tally/Counter". Throws SetupError.

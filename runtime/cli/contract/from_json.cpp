@@ -37,7 +37,7 @@ bool isOurs(capnp::StructSchema::Field field) {
   return isSent(field) || field.getType().isInterface() || isRemoved(field);
 }
 
-/// Is a field of a struct, to be set.
+/// A FieldPlace is a field of a struct, to be set.
 struct FieldPlace {
   capnp::DynamicStruct::Builder owner;
   capnp::StructSchema::Field field;
@@ -49,7 +49,7 @@ struct FieldPlace {
   auto initList(unsigned size) { return owner.init(field, size).as<capnp::DynamicList>(); }
 };
 
-/// Is an element of a list, to be set.
+/// An ElementPlace is an element of a list, to be set.
 struct ElementPlace {
   capnp::DynamicList::Builder owner;
   unsigned index;

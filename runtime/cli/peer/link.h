@@ -14,7 +14,7 @@ namespace suture::cli {
 /// Throws SetupError unless something listens there, with what was found and what to do.
 void knock(rpc::EventPort& loop, const rpc::Address& address, Duration limit);
 
-/// Is a link with what proves who is at its other end.
+/// This is a link with what proves who is at its other end.
 struct Reached {
   kj::Own<rpc::Link> link;
   std::string certificatesEnd;  ///< as ByteStream has it

@@ -15,7 +15,7 @@ Peer meet(rpc::EventPort& loop, const Options& options, const std::string& proce
 /// Throws SetupError with the components that there are.
 ComponentRecord findComponent(Peer& peer, const Target& target);
 
-/// Is an interface as its process explains it, and on which side its component has it.
+/// This is an interface as its process explains it, and on which side its component has it.
 struct Found {
   wire::Peer::Side side;
   Frames frames;

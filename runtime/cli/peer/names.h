@@ -10,8 +10,8 @@
 
 namespace suture::cli {
 
-/// Is a link to the global manager, or of several to the first that answers. Throws SetupError if
-/// it, or what is asked for, is not there.
+/// Holds a link to the global manager, or of several to the first that answers. Throws SetupError
+/// if it, or what is asked for, is not there.
 class Names {
  public:
   Names(rpc::EventPort& loop, const Options& options);

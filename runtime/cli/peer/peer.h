@@ -18,7 +18,7 @@
 
 namespace suture::cli {
 
-/// Is how a required interface of a process is connected, or was.
+/// A ConnectionRecord is how a required interface of a process is connected, or was.
 struct ConnectionRecord {
   std::string component, required;
   std::string provided;  ///< "psm-host:PSM/Arm"
@@ -28,20 +28,20 @@ struct ConnectionRecord {
   bool awaitsOperator = false;
 };
 
-/// Is what a process says of itself.
+/// A Description is what a process says of itself.
 struct Description {
   std::vector<ComponentRecord> components;
   /// None: its Suture was built before it told them.
   std::optional<std::vector<ConnectionRecord>> connections;
 };
 
-/// Is what the thread that serves a component does.
+/// The thread that serves a component does this.
 struct Cycle {
   bool running = false;      ///< it is in a cycle, and not asleep
   std::uint64_t cycles = 0;  ///< so far
 };
 
-/// Has one link. Call these in their order; each throws SetupError: what was asked, found and to
+/// Holds one link. Call these in their order; each throws SetupError: what was asked, found and to
 /// do.
 class Peer {
  public:

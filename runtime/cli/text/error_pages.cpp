@@ -61,7 +61,7 @@ std::string_view patternIn(std::string_view cell, std::string_view words) {
 /// Returns true for the pages that have tables of messages.
 bool hasTables(std::string_view page) { return page.starts_with("set-up") || page == "running"; }
 
-/// Is a row of such a page that is about a message.
+/// This is a row of such a page that is about a message.
 struct Row {
   std::string_view page, pattern, cause, remedy;
 };

@@ -53,7 +53,7 @@ Result<Nothing> resultOf(Errc error) {
   return error == Errc{} ? Result<Nothing>{} : Result<Nothing>{tl::unexpect, error};
 }
 
-/// Is thrown while a system is put together, and never in a control loop.
+/// The set-up code throws this while a system is put together, and never in a control loop.
 class SetupError : public std::runtime_error {
  public:
   /// `asked` says what was wanted, `found` what was there instead, `remedy` what to do about it.

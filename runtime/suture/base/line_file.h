@@ -9,7 +9,7 @@
 
 namespace suture {
 
-/// Is used by one thread at a time. A start that is refused must not cost an earlier recording, so
+/// One thread at a time may use it. A start that is refused must not cost an earlier recording, so
 /// the file stays as it was until the first append(), which replaces it.
 class LineFile {
  public:

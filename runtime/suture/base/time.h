@@ -10,8 +10,8 @@ namespace suture {
 using Duration = std::chrono::nanoseconds;
 using Clock = std::chrono::steady_clock;
 
-/// Is a point on this process's steady clock. The default value means "unset": data stamped with it
-/// are invalid, as in CRTK. A stamp that crosses a link is shifted to the reader's clock at
+/// A Time is a point on this process's steady clock. The default value means "unset": data stamped
+/// with it are invalid, as in CRTK. A stamp that crosses a link is shifted to the reader's clock at
 /// receipt.
 using Time = std::chrono::time_point<Clock, Duration>;
 

@@ -11,7 +11,7 @@
 
 namespace suture {
 
-/// Is the slot of something that has no value.
+/// NoSlot is the slot of something that has no value.
 struct NoSlot {};
 
 /// Says what an answer holds, and how it tells that it has no value.
@@ -35,7 +35,7 @@ struct AnswerTraits<Result<T>> {
   }
 };
 
-/// Has the part of Call that does not depend on what is called.
+/// Holds the part of Call that does not depend on what is called.
 class CallBase {
  protected:
   CallBase() = default;

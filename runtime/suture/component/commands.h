@@ -52,8 +52,8 @@ class QueuedCommand {
   std::uint16_t id_;
 };
 
-/// Is a void or write command: queued at the provider, executed in its thread. A direct() one, and
-/// any of a device, is executed at once in the caller's thread if both are in one process.
+/// This is a void or write command: queued at the provider, executed in its thread. A direct() one,
+/// and any of a device, is executed at once in the caller's thread if both are in one process.
 ///   slave_.servo_cp(goal);                        queued; the answer says if it was
 ///   auto call = slave_.servo_cp.start(goal);      the same, and learns when it has been executed
 /// Belongs to the thread of the component that requires the interface; another thread gets
@@ -120,7 +120,8 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
   }
 };
 
-/// Is a read command: it copies the newest value that the provider produced, and waits for no one.
+/// This is a read command: it copies the newest value that the provider produced, and waits for no
+/// one.
 ///   const auto pose = master_.measured_cp();             Sample<PoseStamped>
 ///   master_.measured_js(state);                          into an object that keeps its memory
 ///   master_.measured_cp.at(frame.stamp)                  as it was then
@@ -234,8 +235,8 @@ class ReadCommand<Method, ResultSlot> {
   std::uint16_t id_;
 };
 
-/// Is the common part of qualified reads and commands with a return value: `Method` runs on the
-/// arguments, and its result is the answer.
+/// This is the common part of qualified reads and commands with a return value: `Method` runs on
+/// the arguments, and its result is the answer.
 ///   auto call = slave_.inverse_kinematics.start(pose);   look at call.poll() in a control loop
 ///   call.within(20ms)                                    or wait, for a bounded time
 /// Belongs to the thread of the component that requires the interface; another thread gets
@@ -283,7 +284,7 @@ class AnsweredCommand : public QueuedCommand {
   }
 };
 
-/// Is a qualified read: a question with arguments, which changes nothing at the provider. A
+/// This is a qualified read: a question with arguments, which changes nothing at the provider. A
 /// concurrent() one, and any of a device, is answered at once in the caller's thread if both are in
 /// one process.
 template <auto Method, class ArgumentsSlot, class ResultSlot>
@@ -298,8 +299,8 @@ class QualifiedReadCommand<Method, ArgumentsSlot, ResultSlot>
   using QualifiedReadCommand::AnsweredCommand::AnsweredCommand;
 };
 
-/// Is a void or write command that returns a value. It is queued like any other, and the answer has
-/// what it returned.
+/// This is a void or write command that returns a value. It is queued like any other, and the
+/// answer has what it returned.
 template <auto Method, class ArgumentsSlot, class ResultSlot>
 class ReturningCommand;
 

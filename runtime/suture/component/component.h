@@ -28,8 +28,9 @@ enum class FaultCause : std::uint8_t {
   Connection,  ///< a connection that was lost or had too old values, whose contract says to fault
 };
 
-/// Is the base of Device and Task. Its interfaces are members of the derived class that register
-/// here on construction, so a component neither moves nor copies. lifecycle.h describes its life.
+/// Component is the base of Device and Task. Its interfaces are members of the derived class that
+/// register here on construction, so a component neither moves nor copies. lifecycle.h describes
+/// its life.
 class Component {
  public:
   virtual ~Component();

@@ -9,11 +9,11 @@
 
 namespace suture {
 
-/// Has no thread: its commands run at once in the thread of a local caller, and in one executor
-/// thread of the process for remote ones. If it serves both, its methods must be safe to call from
-/// several threads. Its required interfaces belong to the first thread that uses one. While it is
-/// suspended, commands are answered Errc::Suspended; the code that calls processEvents() decides
-/// about events.
+/// A Device has no thread: its commands run at once in the thread of a local caller, and in one
+/// executor thread of the process for remote ones. If it serves both, its methods must be safe to
+/// call from several threads. Its required interfaces belong to the first thread that uses one.
+/// While it is suspended, commands are answered Errc::Suspended; the code that calls
+/// processEvents() decides about events.
 class Device : public Component {
  public:
   /// `remoteReadPeriod` says how often the reads that remote clients ask for are evaluated. Throws

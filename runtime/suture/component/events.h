@@ -58,7 +58,7 @@ class Emitter {
   std::uint16_t event_;
 };
 
-/// Has the part of a Subscription that does not depend on what the event carries.
+/// Holds the part of a Subscription that does not depend on what the event carries.
 class SubscriptionBase {
  public:
   /// From now on no call of the handler begins, not even for events that wait in the queue; a

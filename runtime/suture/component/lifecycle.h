@@ -22,8 +22,8 @@ const ComponentState* after(ComponentState state, Transition transition);
 /// not legal.
 void requireLegal(const std::string& name, ComponentState state, Transition transition);
 
-/// Is called for every change of one component's state, in the thread that changes it: the
-/// component's own, but for Configured the manager's.
+/// Hears of every change of one component's state, in the thread that changes it: the component's
+/// own, but for Configured the manager's.
 class StateListener {
  public:
   virtual ~StateListener() = default;

@@ -42,9 +42,9 @@ struct StateOptions {
   bool manual = false;
 };
 
-/// Has the part of Provided<Contract> that does not depend on the contract. Commands and reads run
-/// in the thread of the component; for a device, in the thread of a local caller or of the executor
-/// that serves remote ones.
+/// Holds the part of Provided<Contract> that does not depend on the contract. Commands and reads
+/// run in the thread of the component; for a device, in the thread of a local caller or of the
+/// executor that serves remote ones.
 class ProvidedBase {
  public:
   ProvidedBase(const ProvidedBase&) = delete;

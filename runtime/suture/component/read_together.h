@@ -17,7 +17,7 @@
 
 namespace suture {
 
-/// Is the common part of the functions below; users do not call it.
+/// RowReader is the common part of the functions below; users do not call it.
 class RowReader {
  public:
   template <auto... Methods, class... Slots>

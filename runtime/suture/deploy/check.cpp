@@ -21,7 +21,7 @@
 namespace suture {
 namespace {
 
-/// Is one process, with its components.
+/// A Station is one process, with its components.
 struct Station {
   Station(const Deployment& deployment, const ProcessEntry& process,
           std::span<const ComponentClass> classes, std::vector<std::string>& problems)

@@ -11,7 +11,7 @@
 
 namespace suture {
 
-/// Is what a check has found.
+/// A Checked is what a check has found.
 struct Checked {
   std::vector<std::string> problems;  ///< "file:line: error: ...", each with what to do
   std::vector<std::string> warnings;  ///< "file:line: warning: ..."

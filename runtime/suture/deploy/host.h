@@ -18,7 +18,7 @@
 
 namespace suture {
 
-/// Is something that is wrong at present, while everything else keeps running.
+/// A Trouble is something that is wrong at present, while everything else keeps running.
 struct Trouble {
   std::string subject;  ///< "connection 'left:Teleop/Slave -> right:PSM1/Arm'"
   std::string text;     ///< "is lost: the other process does not answer. Start it again"
@@ -27,7 +27,7 @@ struct Trouble {
   std::string more{};   ///< what has been found since: "cannot be made anew: ..."; "": nothing
 };
 
-/// Used by one thread, which is no task's. Has the components, the manager and the connections of
+/// Used by one thread, which is no task's. Holds the components, the manager and the connections of
 /// one process.
 class Host {
  public:

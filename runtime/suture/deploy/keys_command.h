@@ -11,7 +11,7 @@ class App;
 
 namespace suture {
 
-/// Is what is asked for on the command line.
+/// A KeysRequest is what is asked for on the command line.
 struct KeysRequest {
   std::string deployment;              ///< a file; each of its processes gets keys
   std::vector<std::string> processes;  ///< further ones

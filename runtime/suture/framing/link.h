@@ -9,8 +9,8 @@
 
 namespace suture::rpc {
 
-/// Belongs to the control thread. Is a stream with an RPC system on it. Destroying it closes it,
-/// and breaks every capability that came through it (DISCONNECTED).
+/// Belongs to the control thread. A Link is a stream with an RPC system on it. Destroying it closes
+/// it, and breaks every capability that came through it (DISCONNECTED).
 class Link {
  public:
   /// `offers` is what the peer gets when it asks for the bootstrap capability.

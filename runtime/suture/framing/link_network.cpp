@@ -10,8 +10,8 @@ using capnp::rpc::twoparty::Side;
 using capnp::rpc::twoparty::VatId;
 using Base = capnp::TwoPartyVatNetworkBase;
 
-/// Is a message that is being built. Most messages fit into the room inside this object; the rest
-/// of a longer one goes into further segments.
+/// An Outgoing is a message that is being built. Most messages fit into the room inside this
+/// object; the rest of a longer one goes into further segments.
 class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
  public:
   explicit Outgoing(LinkNetwork& network) : network_(network), message_(room_) {}

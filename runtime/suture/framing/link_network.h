@@ -11,9 +11,9 @@
 
 namespace suture::rpc {
 
-/// Belongs to the control thread; must outlive the RPC system on it. Is a network of two processes.
-/// Messages go straight into the stream's buffer and come straight out of it, whereas the library's
-/// own network queues each behind a promise of the one before.
+/// Belongs to the control thread; must outlive the RPC system on it. A LinkNetwork is a network of
+/// two processes. Messages go straight into the stream's buffer and come straight out of it,
+/// whereas the library's own network queues each behind a promise of the one before.
 class LinkNetwork final : public capnp::TwoPartyVatNetworkBase {
  public:
   LinkNetwork(kj::Own<MessageStream> stream, capnp::rpc::twoparty::Side side);

@@ -12,12 +12,12 @@
 
 namespace suture::rpc {
 
-/// Belongs to the control thread. Is the peer at the other end of an accepted link.
+/// Belongs to the control thread. A Caller is the peer at the other end of an accepted link.
 struct Caller {
   PeerIdentity identity;
   std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports
   std::shared_ptr<ReceiveBudget> budget;         ///< of the server
-  /// Is set by the code that serves the peer, once the peer has said what it wants. A link on which
+  /// The code that serves the peer sets this, once the peer has said what it wants. A link on which
   /// this stays false is closed after StreamLimits::helloMilliseconds.
   bool known = false;
 
@@ -39,7 +39,7 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   /// Makes the bootstrap capability of each new link.
   using Offer = kj::Function<capnp::Capability::Client(std::shared_ptr<Caller>)>;
 
-  /// Is called with each connection that is not a link, see preamble.h.
+  /// The server calls this with each connection that is not a link, see preamble.h.
   using Awaited = kj::Function<void(const Token&, ByteStream)>;
 
   /// Throws SetupError as Listener does, or if the address needs keys and `trust` has none. At

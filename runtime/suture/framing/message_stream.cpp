@@ -10,7 +10,7 @@
 namespace suture::rpc {
 namespace {
 
-// Is how many bytes are worth a send of their own.
+// So many bytes are worth a send of their own.
 constexpr std::size_t kSendAtOnce = 1u << 16;
 // A buffer that has grown beyond this is freed when it is empty. An image fits, because otherwise
 // the kernel would clear the memory of each image anew.

@@ -55,7 +55,7 @@ class MessageStream final : private EventPort::Output {
 
   const StreamLimits& limits() const { return limits_; }
 
-  /// Is given each message that has arrived, and whether it comes from a stranger. Returns which
+  /// Judges each message that has arrived, knowing whether it comes from a stranger. Returns which
   /// limit the peer breaks by it; "" if none.
   using Judge = kj::Function<std::string_view(capnp::IncomingRpcMessage&, bool)>;
   void setJudge(Judge judge) { judge_ = kj::mv(judge); }

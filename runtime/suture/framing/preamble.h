@@ -12,7 +12,8 @@
 
 namespace suture::rpc {
 
-/// Is a secret that is valid for one connection, and says which of the awaited connections this is.
+/// A Token is a secret that is valid for one connection, and says which of the awaited connections
+/// this is.
 using Token = std::array<std::byte, 16>;
 
 /// A connection that begins with this is not a link; a token follows. No message can begin with it.
@@ -21,7 +22,7 @@ inline constexpr std::string_view kPreamble = "SUTFRAME";
 /// Returns kPreamble and the token, as they are sent.
 std::array<std::byte, sizeof(Token) + 8> preambleOf(const Token& token);
 
-/// Is a connection whose beginning has been read.
+/// This is a connection whose beginning has been read.
 struct Opened {
   ByteStream bytes;
   kj::Maybe<Token> token;

@@ -12,8 +12,8 @@ namespace suture::rpc {
 /// Belongs to the control thread. The links of a server share one.
 class ReceiveBudget {
  public:
-  /// Are in bytes. All links with the same proof of who the peer is count as one peer, so all peers
-  /// by plain TCP share one budget.
+  /// These limits are in bytes. All links with the same proof of who the peer is count as one peer,
+  /// so all peers by plain TCP share one budget.
   struct Limits {
     std::size_t peer = 64u << 20;
     std::size_t process = 256u << 20;

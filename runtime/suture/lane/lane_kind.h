@@ -20,7 +20,7 @@
 
 namespace suture {
 
-/// Is a socket between the two processes of a session, for one lane.
+/// A LaneSocket is a socket between the two processes of a session, for one lane.
 struct LaneSocket {
   std::uint32_t number = 0;  ///< its number in both processes
   rpc::ByteStream bytes;
@@ -28,7 +28,7 @@ struct LaneSocket {
   std::unique_ptr<rpc::ReceiveBudget::Share> share = nullptr;
 };
 
-/// Is what a lane may use of a session, in the client's process.
+/// A ClientSession is what a lane may use of a session, in the client's process.
 class ClientSession {
  public:
   virtual rpc::ControlThread& control() = 0;
@@ -60,7 +60,7 @@ struct OpenedEnd {
   std::shared_ptr<Channel> channel;
 };
 
-/// Is one attempt to make a connection over a lane, in the client's process.
+/// A LaneAttempt is one attempt to make a connection over a lane, in the client's process.
 class LaneAttempt {
  public:
   virtual ~LaneAttempt() noexcept(false) = default;
@@ -71,7 +71,7 @@ class LaneAttempt {
                                       capnp::AnyPointer::Reader answer) = 0;
 };
 
-/// Is a lane in one session, in the client's process.
+/// A LaneClient is a lane in one session, in the client's process.
 class LaneClient {
  public:
   virtual ~LaneClient() noexcept(false) = default;
@@ -83,7 +83,7 @@ class LaneClient {
   virtual void bear(Duration /*silence*/) {}
 };
 
-/// Is what a lane may use of a session, in the provider's process.
+/// A ServerSession is what a lane may use of a session, in the provider's process.
 class ServerSession {
  public:
   virtual rpc::ControlThread& control() = 0;
@@ -97,8 +97,8 @@ class ServerSession {
 /// Describes a connection that will be made, in the provider's process.
 struct IncomingConnection {
   ProvidedBase& provided;
-  /// Is the contract as the client has it: the provider's own or one of its bases, though perhaps
-  /// of another version.
+  /// The client has the contract in this form: the provider's own or one of its bases, though
+  /// perhaps of another version.
   const InterfaceInfo& contract;
   Channel::Terms terms;
   EventSet events = 0;                     ///< that the client wants, as this process numbers them
@@ -114,7 +114,7 @@ struct AcceptedEnd {
   std::shared_ptr<Channel> channel;
 };
 
-/// Is a lane in one session, in the provider's process.
+/// A LaneServer is a lane in one session, in the provider's process.
 class LaneServer {
  public:
   virtual ~LaneServer() noexcept(false) = default;

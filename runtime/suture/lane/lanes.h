@@ -10,7 +10,7 @@
 
 namespace suture {
 
-/// Has the fastest first: each connection travels by the first that it can have.
+/// The fastest stands first: each connection travels by the first that it can have.
 using Lanes = std::vector<std::unique_ptr<LaneKind>>;
 
 /// Returns all lanes. Throws SetupError if the kernel refuses what one needs.

@@ -15,7 +15,7 @@ namespace suture::rpc {
 /// Belongs to the control thread. Watches a provider's channel for a client in another process.
 class ProviderEnd : public kj::Refcounted {
  public:
-  /// Is called for each change of the state of the provider's component.
+  /// Hears of each change of the state of the provider's component.
   struct Listener {
     virtual ~Listener() noexcept(false) = default;
     virtual void told(ChannelStatus status) = 0;

@@ -12,14 +12,14 @@
 
 namespace suture::rpc {
 
-/// Belongs to the thread that makes it. Is the event loop of one thread, and what wakes it. When
-/// KJ's queue is empty, it first brings in what other threads have handed over and lets that run,
-/// then sends what all of it has written: one send for each link and turn, however many messages,
-/// and no sleep while there is something to do. Its sleep and its timer follow the stepped clock
-/// that the process has when it is made.
+/// Belongs to the thread that makes it. An EventPort is the event loop of one thread, and what
+/// wakes it. When KJ's queue is empty, it first brings in what other threads have handed over and
+/// lets that run, then sends what all of it has written: one send for each link and turn, however
+/// many messages, and no sleep while there is something to do. Its sleep and its timer follow the
+/// stepped clock that the process has when it is made.
 class EventPort : public kj::UnixEventPort, private VirtualTime::Sockets {
  public:
-  /// Is output that is collected until the loop has nothing else to do.
+  /// An Output is collected until the loop has nothing else to do.
   class Output {
    public:
     virtual void flush() = 0;

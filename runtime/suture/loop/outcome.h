@@ -15,7 +15,7 @@
 
 namespace suture::rpc {
 
-/// Is thrown by ControlThread::run() when there is no result.
+/// ControlThread::run() throws this when there is no result.
 class ControlFailure : public std::runtime_error {
  public:
   enum class Kind { Failed, TimedOut, Stopped };
@@ -72,8 +72,8 @@ class Outcome {
   std::string text_;
 };
 
-/// Is the obligation to settle an outcome: if it is destroyed first, the waiter learns that the
-/// thread stopped.
+/// This is the obligation to settle an outcome: if it is destroyed first, the waiter learns that
+/// the thread stopped.
 template <class T>
 class Settles {
  public:

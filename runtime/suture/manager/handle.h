@@ -9,7 +9,7 @@
 
 namespace suture {
 
-/// Has the part of a Handle that does not depend on the contract.
+/// Holds the part of a Handle that does not depend on the contract.
 class HandleBase {
  public:
   HandleBase(const HandleBase&) = delete;

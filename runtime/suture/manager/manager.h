@@ -168,7 +168,7 @@ class Manager {
   Directory directory_;
   const std::shared_ptr<const std::string> name_ = std::make_shared<std::string>(process());
   bool started_ = false;
-  // Is rung when a component's state has changed, also by components that outlive this.
+  // A component rings it when its state has changed, even one that outlives this.
   const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();
   std::mutex executorMutex_;  // never taken by a task thread
   rt::Scheduling service_;

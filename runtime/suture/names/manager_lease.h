@@ -39,7 +39,7 @@ class ManagerLease {
   /// Any thread. Returns true if the manager answers and knows this process.
   bool enrolled() const { return enrolled_.load(std::memory_order_relaxed); }
 
-  /// Is how long the manager lets one question wait.
+  /// The manager lets one question wait this long at most.
   static constexpr Duration kLongestWait = std::chrono::seconds(60);
   /// Resolves to where a process is, and waits for it at most `wait`, or kLongestWait if that is
   /// shorter. Rejects with what the manager knows, as DISCONNECTED if it is not open, or no longer.

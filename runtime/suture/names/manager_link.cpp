@@ -10,7 +10,7 @@ namespace {
 
 using Type = kj::Exception::Type;
 
-// Is the pause between two attempts while no manager answers.
+// Two attempts are this far apart while no manager answers.
 constexpr Duration kPause = std::chrono::milliseconds(50);
 
 }  // namespace

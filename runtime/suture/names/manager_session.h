@@ -14,7 +14,7 @@
 
 namespace suture {
 
-/// Belongs to the control thread; shared by all sessions. Has the registry and the requests that
+/// Belongs to the control thread; shared by all sessions. Holds the registry and the requests that
 /// wait for a name.
 class NameService final : public kj::Refcounted {
  public:

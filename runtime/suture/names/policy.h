@@ -34,7 +34,7 @@ struct Rule {
   Role role;
 };
 
-/// Any thread. Is a process's policy, constant once made.
+/// Any thread. A Policy is that of one process, constant once made.
 class Policy {
  public:
   /// Lets every peer that gets a link do everything: processes of the same user or with a

@@ -19,7 +19,7 @@ struct Holding {
   std::size_t names = 0, bytes = 0;
 };
 
-/// Used by one thread. Has processes by name. What one record, one link, and all of them may hold
+/// Used by one thread. Knows processes by name. What one record, one link, and all of them may hold
 /// is bounded, so that no peer can fill the process that knows names.
 class Registry {
  public:
@@ -48,7 +48,7 @@ class Registry {
   static std::optional<Refusal> whyTooLong(const std::string& name);
   /// Returns null if there is no such process, or it is silent.
   const ProcessRecord* find(const std::string& name) const;
-  /// Has processes in the order of their names, the silent ones too.
+  /// A Page has processes in the order of their names, the silent ones too.
   struct Page {
     std::vector<ProcessRecord> processes;
     bool more = false;  ///< there are more behind the last of them

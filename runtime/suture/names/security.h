@@ -8,8 +8,8 @@
 
 namespace suture {
 
-/// Is a plain value of set-up code; the keys may be shared by threads. It has no keys, so no tls://
-/// addresses, and the policy of Policy(), unless they are set.
+/// A Security is a plain value of set-up code; the keys may be shared by threads. It has no keys,
+/// so no tls:// addresses, and the policy of Policy(), unless they are set.
 struct Security {
   std::shared_ptr<const tls::Keys> keys{};
   Policy policy{};

@@ -11,7 +11,7 @@
 
 namespace suture::rpc {
 
-/// Is a parsed address, a value.
+/// This is a parsed address, a value.
 struct Address {
   enum class Kind : std::uint8_t { Unix, Tcp, Tls };
 
@@ -41,8 +41,8 @@ std::vector<Address> parseAddresses(const std::string& text);
 /// 0. For Unix sockets it is `far`.
 Address localAddress(const Address& far, int socket);
 
-/// Is the kernel's form of an Address. Throws SetupError if that is not numeric, or its path is
-/// longer than a socket allows.
+/// A SocketAddress is the kernel's form of an Address. Throws SetupError if that is not numeric, or
+/// its path is longer than a socket allows.
 struct SocketAddress {
   explicit SocketAddress(const Address& address);
 

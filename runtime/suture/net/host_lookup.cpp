@@ -66,7 +66,7 @@ std::vector<Address> lookUp(const Address& address) {
   return places;
 }
 
-/// Is a question to the name service. It may outlive the HostLookup that asked.
+/// This is a question to the name service. It may outlive the HostLookup that asked.
 struct HostLookup::Question {
   explicit Question(const Address& of) : address(of) {}
 

@@ -11,7 +11,7 @@
 
 namespace suture::rpc {
 
-/// Belongs to the control thread. Is a listening socket.
+/// Belongs to the control thread. A Listener is a listening socket.
 ///
 /// Unix: only the owner of the socket file can read and write it, unless it opens to others. A file
 /// that a dead process left behind is replaced; one at which somebody answers is an error. The file

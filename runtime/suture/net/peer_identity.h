@@ -9,7 +9,7 @@
 
 namespace suture::rpc {
 
-/// Is a value. Holds what is known of a peer before it has said anything.
+/// A plain value holds what is known of a peer before it has said anything.
 struct PeerIdentity {
   enum class Proof : std::uint8_t {
     None,         ///< plain TCP: it may be anybody who reaches the address

@@ -12,7 +12,7 @@ namespace {
 
 using Type = kj::Exception::Type;
 
-/// Is a handshake under way.
+/// This is a handshake under way.
 class Handshake {
  public:
   Handshake(EventPort& port, kj::AutoCloseFd socket, std::shared_ptr<const tls::Keys> keys,

@@ -40,8 +40,8 @@ struct ConnectionReport : Tally {
   std::string name;  ///< "left:Teleop/Slave -> right:PSM1/Arm": the same at both ends
   std::string lane;
   std::string laneReason;  ///< why it is not a faster one that was hoped for
-  /// Is what this process adds to the stamps of the other, and how wrong that, and so an age, may
-  /// be, either way. It is zero if both have one clock.
+  /// This process adds the shift to the stamps of the other; that, and so an age, may be wrong by
+  /// the error, either way. It is zero if both have one clock.
   Duration clockShift{0}, clockError{0};
   ConnectionEnd end = ConnectionEnd::Both;
   ChannelStatus status = ChannelStatus::Connected;
@@ -50,7 +50,8 @@ struct ConnectionReport : Tally {
   std::string whyNotBack;
   std::uint64_t bytesSent = 0, bytesReceived = 0;  ///< on the wire; 0 within a process
 
-  /// Is known at the client's end; none at the provider's, and for a connection without a contract.
+  /// Only the client's end knows it: there is none at the provider's, and for a connection without
+  /// a contract.
   std::optional<ContractReport> contract;
 
   std::uint64_t sent = 0;  ///< commands that the client's calls handed over; at the provider's end
@@ -80,7 +81,7 @@ struct ConnectionReport : Tally {
   }
 };
 
-/// Is a window of a task's cycles, as TaskWindow has it; all zero before the first.
+/// A WindowReport is a window of a task's cycles, as TaskWindow has it; all zero before the first.
 struct WindowReport {
   Duration length{};
   std::uint64_t cycles = 0, skipped = 0;
@@ -96,7 +97,7 @@ struct TaskReport {
   std::uint64_t cycles = 0, skipped = 0;
   Distribution lateness;  ///< wake-up time minus due time: the jitter of the period
   Distribution computeTime;
-  /// Is the processor time that its thread has used; none if another's thread runs it.
+  /// Its thread has used this much processor time; there is none if another's thread runs it.
   std::optional<Duration> processorTime = {};
   WindowReport window;  ///< the last whole one
 };

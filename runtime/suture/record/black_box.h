@@ -18,11 +18,11 @@ struct BlackBoxOptions {
   std::string prefix = {};                   ///< before the component in the files' names
   Duration last = std::chrono::seconds(10);  ///< how far back it writes, if the tables keep it
   Duration period = std::chrono::milliseconds(10);  ///< how often it looks
-  /// Is how many rows of the past each interface keeps at least (ProvidedBase::keepState); with 0
-  /// it keeps as many as its component has asked for.
+  /// Each interface keeps at least this many rows of the past (ProvidedBase::keepState); with 0 it
+  /// keeps as many as its component has asked for.
   unsigned rows = 0;
-  /// Is called, in the box's thread, with what has been written or why it could not be. Without it,
-  /// standard error gets that.
+  /// The box calls this, in its own thread, with what has been written or why it could not be.
+  /// Without it, standard error gets that.
   std::function<void(const std::string&)> tell = nullptr;
 };
 

@@ -7,7 +7,8 @@
 
 namespace suture {
 
-/// Is a member of a collector, whose thread runs its commands. Others connect to "Log/Collecting".
+/// A CollectorPort is a member of a collector, whose thread runs its commands. Others connect to
+/// "Log/Collecting".
 class CollectorPort final : private Collecting {
  public:
   CollectorPort(Component& collector, Collection& collection)

@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// Is what the collector listens to, of any contract.
+/// A Source is what the collector listens to, of any contract.
 class EventCollector::Source final : public RequiredBase {
  public:
   Source(Component& owner, const InterfaceInfo& contract)

@@ -21,10 +21,10 @@ struct EventCollectorOptions {
   rt::Scheduling scheduling = {};
 };
 
-/// Is a task whose required interface "Source" connects to a provider of `contract`. In its own
-/// thread it passes each event to the sink. Events for which the subscription's queue had no room
-/// are counted as missed; of a latest() event only the newest is seen. An exception of the sink
-/// parks the collector.
+/// An EventCollector is a task whose required interface "Source" connects to a provider of
+/// `contract`. In its own thread it passes each event to the sink. Events for which the
+/// subscription's queue had no room are counted as missed; of a latest() event only the newest is
+/// seen. An exception of the sink parks the collector.
 class EventCollector final : public EventTask {
  public:
   /// `sink` must outlive the last cycle. Throws SetupError for an event that the contract does not

@@ -12,19 +12,19 @@
 
 namespace suture {
 
-/// Is the interface that a collector observes. Lives as long as the collector.
+/// A CollectedInterface is what a collector observes. It lives as long as the collector.
 struct CollectedInterface {
   std::string collector;  ///< the collector's name
   const InterfaceInfo& contract;
 };
 
-/// Is one value of a row.
+/// A CollectedValue is one value of a row.
 struct CollectedValue {
   std::uint16_t read;     ///< the number of the read command in its contract
   const std::byte* slot;  ///< nullptr: not produced in this row, too large, or invalid
 };
 
-/// Is what a sink throws that had taken rows or events of a collector, and could not keep them. The
+/// A sink throws this if it had taken rows or events of a collector, and could not keep them. The
 /// collector then counts them as missed, and tells the sink so if it is restarted.
 class NotKept : public SetupError {
  public:
@@ -59,11 +59,11 @@ class Sink {
   /// nothing.
   virtual void event(const CollectedInterface& from, std::uint16_t event, Time stamp,
                      const std::byte* slot) = 0;
-  /// Is told that `count` rows or events have been lost at this place, because they came faster
-  /// than they were taken.
+  /// The collector tells by this that `count` rows or events have been lost at this place, because
+  /// they came faster than they were taken.
   virtual void missed(const CollectedInterface& from, std::uint64_t count) = 0;
-  /// Is told when the collector starts, and then whenever it has nothing more at present, so what
-  /// waits for more may be written or sent. Throws NotKept if something of it is lost.
+  /// The collector calls this when it starts, and then whenever it has nothing more at present, so
+  /// what waits for more may be written or sent. Throws NotKept if something of it is lost.
   virtual void settle(const CollectedInterface& /*from*/) {}
 };
 

@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// Is what the collector looks at, of any contract.
+/// A Source is what the collector looks at, of any contract.
 class StateCollector::Source final : public RequiredBase {
  public:
   Source(Component& owner, const InterfaceInfo& contract)

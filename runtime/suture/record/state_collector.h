@@ -21,18 +21,19 @@ namespace suture {
 struct StateCollectorOptions {
   std::vector<std::string> reads = {};  ///< names of read commands; empty: all
   CollectingInterval interval = {};
-  /// Is the longest time between two looks; it also looks when it is connected or given a command.
-  /// The provider must keep more rows than it publishes meanwhile
+  /// At most this time passes between two looks; it also looks when it is connected or given a
+  /// command. The provider must keep more rows than it publishes meanwhile
   /// (ProvidedBase::keepState), or rows are missed.
   Duration period = std::chrono::milliseconds(10);
   bool collecting = true;  ///< from the start
   rt::Scheduling scheduling = {};
 };
 
-/// Is a task whose required interface "Source" connects to a provider of `contract`. In its own
-/// thread it passes each row to the sink, or counts it as missed if it was overwritten before. Over
-/// lanes other than `local` the rows are those that arrived. A device has none on the lane `local`,
-/// so connecting to it there is refused. An exception of the sink parks the collector.
+/// A StateCollector is a task whose required interface "Source" connects to a provider of
+/// `contract`. In its own thread it passes each row to the sink, or counts it as missed if it was
+/// overwritten before. Over lanes other than `local` the rows are those that arrived. A device has
+/// none on the lane `local`, so connecting to it there is refused. An exception of the sink parks
+/// the collector.
 ///   StateCollector collector{interfaceInfo<Arm>(), {.reads = {"measured_cp"}}, sink};
 ///   manager.add("Collector", collector);
 ///   manager.connect("Collector/Source", "PSM/Arm");

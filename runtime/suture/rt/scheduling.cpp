@@ -41,7 +41,7 @@ void prioritize(const std::string& name, const Scheduling& scheduling) {
                    "Grant real-time priorities (ulimit -r, CAP_SYS_NICE) or leave it out");
 }
 
-/// Is the kernel's struct sched_attr, which glibc 2.36 does not declare.
+/// This is the kernel's struct sched_attr, which glibc 2.36 does not declare.
 struct SchedulingAttributes {
   std::uint32_t size = sizeof(SchedulingAttributes);
   std::uint32_t policy = SCHED_OTHER;

@@ -19,9 +19,9 @@ enum class Policy : std::uint8_t {
 
 struct Scheduling {
   Policy policy = Policy::Default;
-  /// Is 1 to 99, of which 99 is the most urgent; it has no meaning under the default policy.
+  /// It is 1 to 99, of which 99 is the most urgent; it has no meaning under the default policy.
   int priority = 0;
-  /// Is the processor that the thread is pinned to, counted from 0; without it the kernel chooses.
+  /// The thread is pinned to this processor, counted from 0; without it the kernel chooses.
   std::optional<int> processor = std::nullopt;
 
   bool operator==(const Scheduling&) const = default;

@@ -10,7 +10,8 @@
 
 namespace suture::rt {
 
-/// Is a thread that a stepped clock knows from its beginning to its end. Its starter must join it.
+/// This is a thread that a stepped clock knows from its beginning to its end. Its starter must join
+/// it.
 class Thread {
  public:
   /// Says which signals may interrupt it.

@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// Is a value. It learns from questions with stamps around them, as NTP does (RFC 5905): the one
-/// with the smallest error counts, unless a later one contradicts it.
+/// A ClockOffset is a value. It learns from questions with stamps around them, as NTP does (RFC
+/// 5905): the one with the smallest error counts, unless a later one contradicts it.
 class ClockOffset {
  public:
   /// Returns the offset of two processes with one clock, where nothing has to be measured.

@@ -29,7 +29,7 @@ auto run(rpc::ControlThread& control, Duration deadline, Work work) {
 }
 
 constexpr Duration kLocalWork = std::chrono::seconds(10);
-// Is longer than anybody waits, and short enough to be added to a time.
+// Nobody waits longer than this, and it is short enough to be added to a time.
 constexpr Duration kLongestPatience = std::chrono::hours(24 * 365);
 // A start that takes longer than this says what it waits for.
 constexpr Duration kLongWait = std::chrono::seconds(2);

@@ -10,12 +10,12 @@
 namespace suture::testing_detail {
 namespace {
 
-// Is far from zero, which means "unset", and the same in each run.
+// The time is far from zero, which means "unset", and the same in each run.
 constexpr Time kBegin{std::chrono::seconds(1000)};
 
-/// Is the calling thread, if its scheduler knows it.
+/// It is the calling thread, if its scheduler knows it.
 thread_local ScheduledThread* current = nullptr;
-/// Is the process that the calling thread works for, and all that it starts.
+/// The calling thread, and all that it starts, works for this process.
 thread_local std::size_t currentProcess = 0;
 
 /// Only a thread that stood still with its process has a deadline before that of another.

@@ -18,7 +18,7 @@
 
 namespace suture::testing_detail {
 
-/// Is a thread as the scheduler sees it, guarded by the scheduler's mutex.
+/// A ScheduledThread is a thread as the scheduler sees it, guarded by the scheduler's mutex.
 struct ScheduledThread {
   enum class State : std::uint8_t { Runs, Ready, Sleeps };
 

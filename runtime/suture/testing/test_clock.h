@@ -37,9 +37,9 @@ struct TestClockOptions {
   /// How long the process may run in real time while none of its threads sleeps or is woken,
   /// before they are named on standard error.
   std::chrono::nanoseconds patience = std::chrono::seconds(10);
-  /// Is called when something happens that must not: a thread found work at a deadline that exists
-  /// only in case a ring is lost, or nothing can happen any more. May be called in any thread.
-  /// Without it, the program is aborted.
+  /// The clock calls this when something happens that must not: a thread found work at a deadline
+  /// that exists only in case a ring is lost, or nothing can happen any more. May be called in any
+  /// thread. Without it, the program is aborted.
   std::function<void(const std::string&)> problem = nullptr;
 };
 
@@ -101,8 +101,8 @@ class TestClock {
     TestClock& clock_;
   };
 
-  /// Is a group of threads that stand still together, like those of a process that a debugger has
-  /// stopped, or whose machine is suspended. Threads of the test use it.
+  /// A Process is a group of threads that stand still together, like those of a process that a
+  /// debugger has stopped, or whose machine is suspended. Threads of the test use it.
   class Process {
    public:
     explicit Process(TestClock& clock);

@@ -10,8 +10,8 @@
 
 namespace suture {
 
-/// Is one thing that one thread did. It holds nothing that differs from one run to the next: no
-/// addresses, no process ids.
+/// A TraceEntry is one thing that one thread did. It holds nothing that differs from one run to the
+/// next: no addresses, no process ids.
 struct TraceEntry {
   Duration time{};  ///< since the clock was made
   std::string thread;

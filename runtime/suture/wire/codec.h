@@ -74,7 +74,7 @@ struct RowCodec {
   std::int64_t (*stamp)(capnp::AnyPointer::Reader in);  ///< of the sender's clock, ns
 };
 
-/// Is what suturec writes for one contract.
+/// A Codec is what suturec writes for one contract.
 struct Codec {
   capnp::InterfaceSchema (*schema)();
   std::uint64_t contract;                  ///< the id of its interface

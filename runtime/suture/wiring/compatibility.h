@@ -12,9 +12,9 @@ namespace suture {
 struct Compatibility {
   /// False: one of them says nothing of the wire, so nothing is known.
   bool comparable = true;
-  /// Has the numbers of the commands here that are not there.
+  /// These are the numbers of the commands here that are not there.
   std::vector<std::uint16_t> lacking;
-  /// Has what one would misread of the other, a line each: "'x' of struct Pose: Float64 unit "m"
+  /// Each line says what one would misread of the other: "'x' of struct Pose: Float64 unit "m"
   /// here, Float32 there". If it is empty they understand each other; each ignores what only the
   /// other has.
   std::vector<std::string> breaks;

@@ -23,8 +23,8 @@ std::string keyOf(const nlohmann::json& element, std::size_t index) {
   return std::to_string(index);
 }
 
-/// Is made of a description. Each path repeats the keys above it, so a long key with much below it
-/// would take far more memory than the description itself: then the rest is left out.
+/// A Flattening is made of a description. Each path repeats the keys above it, so a long key with
+/// much below it would take far more memory than the description itself: then the rest is left out.
 class Flattening {
  public:
   void add(const nlohmann::json& json, const std::string& path) {

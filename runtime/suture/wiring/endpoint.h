@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// Is one end of a connection.
+/// An Endpoint is one end of a connection.
 struct Endpoint {
   std::string process;  ///< "": the process that reads the name
   std::string component;

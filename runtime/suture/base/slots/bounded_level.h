@@ -38,7 +38,7 @@ struct BoundedLevel {
   }
 };
 
-/// Has the levels of a slot that lie in no other level, in the order of their places.
+/// BoundedLevels are the levels of a slot that lie in no other level, in the order of their places.
 using BoundedLevels = std::span<const BoundedLevel>;
 
 namespace bounded {

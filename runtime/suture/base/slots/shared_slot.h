@@ -18,7 +18,7 @@
 
 namespace suture {
 
-/// Is a slot on the heap, without its type. Any thread may retain and release it.
+/// A SharedSlot is a slot on the heap, without its type. Any thread may retain and release it.
 class SharedSlot {
  public:
   virtual ~SharedSlot() = default;
@@ -49,7 +49,7 @@ class HeapSlot final : public SharedSlot {
 template <class Slot>
 inline constexpr bool ownsMemory = !std::is_trivially_copyable_v<Slot>;
 
-/// Is the size that a slot takes up in a record.
+/// A slot takes up this many bytes in a record.
 template <class Slot>
 inline constexpr std::uint32_t slotSize = ownsMemory<Slot> ? sizeof(SharedSlot*) : sizeof(Slot);
 

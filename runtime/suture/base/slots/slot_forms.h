@@ -76,7 +76,7 @@ struct SlotEntry {
   Value value;
 };
 
-/// Is the slot of std::monostate.
+/// SlotNothing is the slot of std::monostate.
 struct SlotNothing {};
 
 /// Holds an optional; `value` means something only if `present` is not 0.

@@ -81,7 +81,7 @@ struct ArraySlot<std::array<T, N>> : ElementByElement {};
 template <class T, std::size_t N>
 struct ArraySlot<T[N]> : ElementByElement {};
 
-/// Is true for numbers of which a vector is copied as one block.
+/// This is true for numbers of which a vector is copied as one block.
 template <class T, class S>
 inline constexpr bool liesAlike = Number<T>&& std::is_same_v<T, S>;
 
@@ -98,9 +98,9 @@ bool store(const std::vector<T>& value, BoundedList<S, N>& slot) {
   return fits;
 }
 
-/// Is false if it may not compile that a vector takes its elements to a larger place: it copies
-/// them if their move may throw, and a struct with a std::deque says that it has a copy whatever it
-/// holds. What owns no memory has one.
+/// This is false if it may not compile that a vector takes its elements to a larger place: it
+/// copies them if their move may throw, and a struct with a std::deque says that it has a copy
+/// whatever it holds. What owns no memory has one.
 template <class T>
 inline constexpr bool hasLargerPlace =
     std::is_nothrow_move_constructible_v<T> || !std::is_copy_constructible_v<T> ||

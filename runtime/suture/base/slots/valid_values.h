@@ -145,7 +145,7 @@ template <class S>
 bool isValid(const OpenOptional<S>& slot, FieldPath* path) {
   return allOf(slot, path, [path](const S& value) { return isValid(value, path); });
 }
-/// Is isValid() as a check that can be passed on.
+/// A Valid is isValid() as a check that can be passed on.
 struct Valid {
   template <class Slot>
   bool operator()(const Slot& slot) const {

@@ -40,25 +40,27 @@ class Channel {
   static constexpr unsigned kMaxCalls = ChannelWords::kMaxCalls;
 
   struct Ends {
-    /// Is rung with Arrival for a reply or an event, and with Work for all else.
+    /// The other end rings it with Arrival for a reply or an event, and with Work for all else.
     std::shared_ptr<rt::Doorbell> client;
     std::shared_ptr<rt::Doorbell> provider;  ///< is rung when commands are there
     /// Says which ends are this process's own; a lane stands in for the other one.
     ConnectionEnd components = ConnectionEnd::Both;
     ProvidedBase* device = nullptr;  ///< a device in this process, which the client calls directly
-    ProvidedBase* here = nullptr;    ///< the provider in this process, for what runs in the
-                                     ///< caller's thread
-    /// Is rung too when the status changes, so that its owner can tell another process.
+    /// This is the provider in this process, for what runs in the caller's thread.
+    ProvidedBase* here = nullptr;
+    /// The channel rings it too when the status changes, so that its owner can tell another
+    /// process.
     std::shared_ptr<rt::Doorbell> watcher = nullptr;
-    /// Is the process at the other end; nullptr: it is this one, or a client that says nothing.
+    /// The process at the other end has this state; nullptr: it is this one, or a client that says
+    /// nothing.
     std::shared_ptr<const PeerState> peer = nullptr;
     /// Says how long the client bears its provider's silence; 0: for ever, or it has not said so.
     Duration silence{0};
-    /// Has the columns for which a client that maps the provider's table asks.
+    /// A client that maps the provider's table asks for these columns.
     std::shared_ptr<const std::atomic<rt::ColumnSet>> asked = nullptr;
   };
 
-  /// Are settled before a connection has a channel.
+  /// Both ends settle these terms before a connection has a channel.
   struct Terms {
     std::string name;  ///< "console:Teleop/Slave -> psm-host:PSM/Arm"
     /// Lists, in order, the commands of the contract that the provider does not have: optional

@@ -51,9 +51,9 @@ class ChannelClient {
   /// Any thread. Admits commands that await their operator again, if the provider is there.
   ResumeOutcome resume();
 
-  /// Has the ages of values when they were read: of each row when it is first read, and of every
-  /// 16th read of a row that has been read before. It is nullptr if the client is no component
-  /// here.
+  /// It counts the ages of values when they were read: of each row when it is first read, and of
+  /// every 16th read of a row that has been read before. It is nullptr if the client is no
+  /// component here.
   const std::unique_ptr<rt::Histogram> readAge;
   DeliveryCounters delivery;  ///< both ways; all 0 on a lane that loses nothing
 

@@ -29,7 +29,7 @@ class ChannelList {
     /// client, and not yet that it is gone. Until then no sweep removes the node.
     std::atomic<bool> known{false};
     std::atomic<Node*> next{nullptr};
-    /// Has the events that the owner of the list sends there: none before its first cycle with it.
+    /// The owner of the list sends these events there: none before its first cycle with it.
     EventSet served = 0;
     EventSet direct = 0;  ///< those that have a direct handler
     Node* nextUnlinked = nullptr;

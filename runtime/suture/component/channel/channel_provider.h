@@ -28,8 +28,8 @@ class ChannelProvider {
   bool joining() const { return words_.joining.load(std::memory_order_relaxed) != 0; }
   /// Returns true if the client is to be rung for a row, credits or a tally.
   bool rowsAreWanted() const { return words_.wantsRows.isUp(std::memory_order_relaxed); }
-  /// Is up if a reply or an event has been put in since the client last looked. A thread that
-  /// lowers it must look for both before it sleeps.
+  /// Returns the flag that is up if a reply or an event has been put in since the client last
+  /// looked. A thread that lowers it must look for both before it sleeps.
   rt::SharedFlag& untaken() { return words_.untaken; }
 
   /// Call it just before a command is executed. Returns an error if the connection is over, and if
@@ -46,7 +46,8 @@ class ChannelProvider {
 
   /// Any thread. Says how long the client's commands may be executed.
   const Lease lease;
-  /// Has the ages of commands when they were executed. It is nullptr if the provider is elsewhere.
+  /// It counts the ages of commands when they were executed. It is nullptr if the provider is
+  /// elsewhere.
   const std::unique_ptr<rt::Histogram> commandAge;
 
  private:

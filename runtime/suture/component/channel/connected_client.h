@@ -6,9 +6,9 @@
 
 namespace suture {
 
-/// Is one connection of a client. The provider's component sees the same object from when it is
-/// told of the client until it is told that the connection has ended; a connection that is made
-/// anew has another object.
+/// A ConnectedClient is one connection of a client. The provider's component sees the same object
+/// from when it is told of the client until it is told that the connection has ended; a connection
+/// that is made anew has another object.
 struct ConnectedClient {
   explicit ConnectedClient(std::string_view interface) : name(interface) {}
   ConnectedClient(const ConnectedClient&) = delete;

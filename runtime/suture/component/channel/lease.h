@@ -17,7 +17,7 @@ namespace suture {
 /// trusts no other thread. It is constant, since PeerState has what is heard of the client.
 class Lease {
  public:
-  /// Has no end: the client is in this process, or has not said how long it waits.
+  /// Makes a lease without end: the client is in this process, or has not said how long it waits.
   Lease() = default;
   /// The client waits for `silence` before it gives its provider up; the first wait begins now.
   Lease(std::shared_ptr<const PeerState> client, Duration silence)

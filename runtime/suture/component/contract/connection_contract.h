@@ -41,7 +41,7 @@ struct ConnectionContract {
   bool operator==(const ConnectionContract&) const = default;
 };
 
-/// Has the contract of one connection, and says how it has been kept. It lives on when a lost
+/// Holds the contract of one connection, and says how it has been kept. It lives on when a lost
 /// connection gets a new channel.
 struct ConnectionWatch {
   explicit ConnectionWatch(const ConnectionContract& agreed) : contract(agreed) {}

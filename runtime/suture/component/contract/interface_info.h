@@ -64,7 +64,7 @@ struct CommandInfo {
   }
 };
 
-/// Is a set of a contract's events, one bit each.
+/// An EventSet holds some of a contract's events, one bit each.
 using EventSet = std::uint64_t;
 
 struct EventInfo {
@@ -115,7 +115,7 @@ std::uint32_t largestSlot(const InterfaceInfo& info);
 /// task's thread never allocates.
 void refuseUnbounded(const InterfaceInfo& info, bool isTask);
 
-/// Is the InterfaceInfo::toBase of a contract and its base.
+/// This makes the InterfaceInfo::toBase of a contract and its base.
 template <class Contract, class Base>
 void* castToBase(void* implementation) {
   return static_cast<Base*>(static_cast<Contract*>(implementation));

@@ -8,8 +8,8 @@
 
 namespace suture {
 
-/// Has, by place in a contract's tables, the number on the wire: the place in the lock, which stays
-/// when a base of the contract gets more. Empty means that the two are equal.
+/// Each place in a contract's tables has its number on the wire here: the place in the lock, which
+/// stays when a base of the contract gets more. Empty means that the two are equal.
 using WireNumbers = std::span<const std::uint8_t>;
 
 /// Returns a set of events or columns, one bit each, in wire numbers.

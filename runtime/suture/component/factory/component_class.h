@@ -13,8 +13,8 @@ namespace suture {
 
 class JsonReader;
 
-/// Is a plain value: any thread may copy it. create() belongs to the thread that sets up the
-/// process.
+/// A ComponentClass is a plain value: any thread may copy it. create() belongs to the thread that
+/// sets up the process.
 struct ComponentClass {
   const char* name;  ///< unqualified C++ name: "Psm"
   /// Reads the parameters and constructs the component. Returns null if the reader has reported a

@@ -16,7 +16,7 @@ namespace suture {
 class AwaitedEvents;
 class Subscriptions;
 
-/// Is a NextEvent without its payload. Belongs to the thread of the component.
+/// An AwaitedEvent is a NextEvent without its payload. Belongs to the thread of the component.
 class AwaitedEvent {
  public:
   AwaitedEvent(const AwaitedEvent&) = delete;

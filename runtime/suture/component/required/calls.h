@@ -14,7 +14,7 @@ namespace suture {
 class Calls;
 struct ReplyRecord;
 
-/// Is a place for one call under way, and for its answer.
+/// A PendingCall is a place for one call under way, and for its answer.
 struct PendingCall {
   /// Limits the size of a handler of Call::then().
   static constexpr std::size_t kHandlerSize = 48;

@@ -6,8 +6,9 @@
 
 namespace suture {
 
-/// Has no thread: another one, say that of a driver or a window system, calls trigger() and runs
-/// the cycle. Commands, events, and requests to suspend or resume wait for the next call.
+/// A CallbackTask has no thread: another one, say that of a driver or a window system, calls
+/// trigger() and runs the cycle. Commands, events, and requests to suspend or resume wait for the
+/// next call.
 class CallbackTask : public Task {
  public:
   void start() final;

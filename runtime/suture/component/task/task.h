@@ -152,7 +152,7 @@ class Task : public Component {
   std::vector<GuestTask*> guests_;
   std::atomic<bool> inCycle_{false};  // its code may run, in the thread that owns it
   std::atomic<std::optional<Transition>> requested_{std::nullopt};
-  // Has what the first call in another thread threw.
+  // The first call in another thread threw this.
   std::atomic_flag failing_ = ATOMIC_FLAG_INIT;
   std::string failure_;
   std::atomic<bool> failed_{false};  // failure_ says why

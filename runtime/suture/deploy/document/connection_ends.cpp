@@ -17,7 +17,7 @@ bool requiresInterface(const Component& component, const std::string& name) {
                      [&](const RequiredBase* required) { return required->name() == name; });
 }
 
-/// Is what a file says wrong, and where.
+/// An Unconnected is what a file says wrong, and where.
 struct Unconnected {
   std::string pointer;
   std::string remedy;

@@ -10,7 +10,8 @@
 
 namespace suture {
 
-/// Is one parse. nlohmann::json::sax_parse calls the public members without a comment.
+/// A DocumentBuilder is one parse. nlohmann::json::sax_parse calls the public members without a
+/// comment.
 class DocumentBuilder {
  public:
   DocumentBuilder(JsonDocument& document, std::string_view text)

@@ -19,7 +19,7 @@ constexpr std::string_view kStates = Collectors::kClasses[0];
 
 constexpr double kLongestInterval = 86400;  // s
 
-/// Has what a deployment says of a collector.
+/// Holds what a deployment says of a collector.
 struct Parameters {
   std::string file;
   std::vector<std::string> names;  // of reads, or events

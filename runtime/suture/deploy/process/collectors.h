@@ -29,7 +29,7 @@ class Collectors {
   Collectors(const Deployment& deployment, const ProcessEntry& process)
       : deployment_(deployment), process_(process) {}
 
-  /// Are the classes that every deployment has, whatever its program.
+  /// Every deployment has these classes, whatever its program.
   static constexpr std::array<const char*, 2> kClasses{"StateCollector", "EventCollector"};
   static bool offers(std::string_view className);
   /// Adds a problem for each collector that writes to a file of another process's collector, or to

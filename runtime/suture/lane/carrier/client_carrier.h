@@ -20,7 +20,7 @@ class ClientCarrier {
  public:
   enum class Message : std::uint8_t { Interest, Command };
 
-  /// Is what a lane implements to send what the client has.
+  /// A Wire is what a lane implements to send what the client has.
   class Wire {
    public:
     /// Returns true if one more such message may be sent.

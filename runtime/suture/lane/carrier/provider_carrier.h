@@ -20,7 +20,7 @@ class ProviderCarrier {
 
   enum class Message : std::uint8_t { Reply, Credits, Tally, Event, Row };
 
-  /// Is what a lane implements to send what the provider has.
+  /// A Wire is what a lane implements to send what the provider has.
   class Wire {
    public:
     /// Returns true if one more such message may be sent.

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// Is what the provider's end says of its calls from time to time.
+/// This is what the provider's end says of its calls from time to time.
 struct CallsMark {
   std::uint64_t reached;  ///< no command up to this number will arrive there any more
   std::array<std::uint32_t, Channel::kMaxCalls> atProvider;  ///< not answered yet; 0: none

@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// Is added to what the lane takes anyway.
+/// These times are added to what the lane takes anyway.
 struct ConnectionDelay {
   Duration commands{0};  ///< from the client to the provider
   Duration answers{0};  ///< from the provider to the client: answers, events, rows of state, losses

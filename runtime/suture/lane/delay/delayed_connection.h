@@ -81,7 +81,7 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   const ConnectionDelay delay_;
   MessageLine commands_, answers_, events_, rows_;
   DelayLine statuses_;
-  /// Is a command that uses a credit and may still arrive.
+  /// This is a command that uses a credit and may still arrive.
   struct Outstanding {
     std::uint64_t sequence;
     std::uint16_t command;

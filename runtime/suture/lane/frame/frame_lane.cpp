@@ -19,7 +19,7 @@ namespace {
 // No contract of ours has more.
 constexpr unsigned kMostCommands = 4096;
 
-/// Is the socket of a session, and its number at both ends.
+/// A SessionLink is the socket of a session, and its number at both ends.
 struct SessionLink {
   SessionLink(LaneSocket socket, LaneThread& thread)
       : number(socket.number), link(std::make_shared<Link>(kj::mv(socket.bytes), number)) {

@@ -9,7 +9,7 @@
 
 namespace suture::frame {
 
-/// Has the thread that carries the frames of this process.
+/// Owns the thread that carries the frames of this process.
 class FrameLane final : public LaneKind {
  public:
   /// Throws SetupError if the kernel refuses what the thread needs. With Form::Encoded, values

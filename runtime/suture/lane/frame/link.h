@@ -44,7 +44,7 @@ class Link {
   }
   /// Returns true if the socket has not taken all; it tells when it takes more.
   bool isFull() const { return socket_.isFull(); }
-  /// Has the next turn() break it; `why` says the reason in words.
+  /// Lets the next turn() break it; `why` says the reason in words.
   void breakOff(std::string why) { socket_.breakOff(std::move(why)); }
   /// Ends the socket, so that the other end notices.
   void end() { socket_.cut(); }

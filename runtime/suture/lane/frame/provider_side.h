@@ -13,7 +13,8 @@ namespace suture::frame {
 
 /// Says what a client calls the commands, by the number that it gives each of them.
 struct ClientCommands {
-  /// Has the number here, or ProviderSide::kUnknown; is empty if the two have the same numbers.
+  /// Each entry is the number here, or ProviderSide::kUnknown; the list is empty if the two have
+  /// the same numbers.
   std::vector<std::uint16_t> numbers;
   /// Tells if the client's contract says latest(); for those beyond its end, the provider's does.
   std::vector<bool> latest;

@@ -14,7 +14,7 @@ using Type = kj::Exception::Type;
 
 }  // namespace
 
-/// Is what a client reaches through a socket.
+/// A Bootstrap is what a client reaches through a socket.
 class CallsServer::Bootstrap final : public wire::Calls::Server {
  public:
   explicit Bootstrap(std::shared_ptr<Contracts> contracts) : contracts_(std::move(contracts)) {}

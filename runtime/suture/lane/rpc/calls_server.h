@@ -28,7 +28,7 @@ class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
   void opened(LaneSocket socket) override;
 
  private:
-  /// Is a connection of one socket, until its client asks for the contract.
+  /// This is a connection of one socket, until its client asks for the contract.
   struct Offered {
     std::shared_ptr<Channel> channel;
     kj::Own<ServantPort> port;

@@ -22,7 +22,7 @@
 
 namespace suture::rpc {
 
-/// Is a call of any method, as Cap'n Proto gives it to a capability.
+/// An AnyCall is a call of any method, as Cap'n Proto gives it to a capability.
 using AnyCall = capnp::CallContext<capnp::AnyPointer, capnp::AnyPointer>;
 
 /// Belongs to the control thread; shared by the Servant and the connection. A call returns when its

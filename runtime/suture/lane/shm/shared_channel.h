@@ -11,7 +11,7 @@
 
 namespace suture::shm {
 
-/// Has what a provider's process hands over, and its layout.
+/// Holds what a provider's process hands over, and its layout.
 struct SharedParts {
   std::shared_ptr<MemoryBlock> channel;  ///< the queues; both write
   std::shared_ptr<MemoryBlock> state;    ///< the provider's table; only the provider writes

@@ -8,7 +8,7 @@
 
 namespace suture::tls {
 
-/// Is the name in the global manager's certificate. No other process has this name.
+/// The global manager's certificate has this name. No other process has it.
 inline constexpr const char* kManagerName = "suture-manager";
 
 /// Names the files of a folder of keys. The machine of a process needs ca.crt and the two files

@@ -27,7 +27,7 @@ void require(bool done, const std::string& what) {
   if (!done) throw SetupError(what, lastComplaint(), "Check the installation of OpenSSL 3.");
 }
 
-/// Is a certificate and the key that belongs to it.
+/// An Identity is a certificate and the key that belongs to it.
 struct Identity {
   CertificatePtr certificate;
   KeyPtr key;

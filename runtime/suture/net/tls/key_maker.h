@@ -14,7 +14,7 @@ struct Validity {
   std::chrono::days lasts{730};
 };
 
-/// Is that of a CA.
+/// A certificate of a CA lasts this long.
 inline constexpr Validity kCaValidity{.lasts = std::chrono::days(3650)};
 
 /// Adds to `folder` (made for its owner only) a certificate and a key for each of `processes`, and

@@ -8,7 +8,7 @@
 namespace suture::tls {
 namespace {
 
-// Is large enough for most of what a link says in one turn.
+// This is large enough for most of what a link says in one turn.
 constexpr std::size_t kReadAhead = 32u << 10;
 
 void setUp(bool done, const char* what) {

@@ -23,8 +23,8 @@ class HandshakeError : public std::runtime_error {
   const Cause cause;
 };
 
-/// One thread at a time. Is one TLS connection. Never blocks: the socket is non-blocking, and its
-/// owner waits for it.
+/// One thread at a time. A Session is one TLS connection. Never blocks: the socket is non-blocking,
+/// and its owner waits for it.
 class Session {
  public:
   enum class Side { Client, Server };

@@ -28,7 +28,7 @@ enum class Producers : std::uint8_t {
 /// then is a copy, and any part of it may be wrong.
 class EventRing {
  public:
-  /// Is the largest payload that lies in the shared ring; a larger one has cells of its own.
+  /// A payload of at most this size lies in the shared ring; a larger one has cells of its own.
   static constexpr std::uint32_t kMostShared = 512;
 
   /// `forms` must be of the same events and must outlive this.

@@ -13,9 +13,9 @@
 
 namespace suture::rt {
 
-/// One producer thread, one consumer thread. Has three buffers: the producer owns one, the consumer
-/// owns one, and the third holds the newest published value. Wait-free on both sides; the
-/// consumer's buffer does not change until its next take().
+/// One producer thread, one consumer thread. A LatestCell has three buffers: the producer owns one,
+/// the consumer owns one, and the third holds the newest published value. Wait-free on both sides;
+/// the consumer's buffer does not change until its next take().
 ///
 /// In foreign memory each process has an object of its own; front() then is a copy, and any part of
 /// it may be wrong.

@@ -7,7 +7,7 @@
 
 namespace suture::rt {
 
-/// Is a set of columns, with one bit for each: a contract has at most 64 reads.
+/// A ColumnSet has one bit for each column: a contract has at most 64 reads.
 using ColumnSet = std::uint64_t;
 
 /// Each column is in one set at most; if it is in none, it has not been produced yet. Processes

@@ -64,7 +64,7 @@ class StateTable {
   /// Publishes the draft as a new row: the values of the valid columns, and for the others why they
   /// have none. Stamps never go back: an earlier stamp is replaced by that of the row before.
   void publish(Time stamp, const RowColumns& columns);
-  /// Is a value that lies elsewhere, of a column that is not shared.
+  /// This is a value that lies elsewhere, of a column that is not shared.
   struct Value {
     const std::byte* bytes = nullptr;
     std::size_t stored = 0;  ///< how many of them storeAhead() has stored

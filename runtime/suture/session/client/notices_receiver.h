@@ -29,7 +29,7 @@ class ProviderNews final : public kj::Refcounted {
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
 };
 
-/// Is what the provider's process calls.
+/// The provider's process calls this.
 class NoticesReceiver final : public wire::Notices::Server {
  public:
   /// `lost` gets in words why the provider has closed the connection, before the client is told.

@@ -23,7 +23,7 @@ constexpr Duration kLongestRedialPause = std::chrono::milliseconds(250);
 // predecessor has ended, so that the kernel knocks once in a second at least.
 constexpr Duration kFirstAnswerLimit = std::chrono::milliseconds(500);
 constexpr Duration kComeBackPatience = std::chrono::seconds(5);
-// Is how long an attempt may take whose answers all come in time. Network::connect() waits longer.
+// An attempt whose answers all come in time may take this long. Network::connect() waits longer.
 constexpr Duration kAttemptLimit = std::chrono::seconds(9);
 
 /// Returns what two texts have in common that differ by how long or how wrong something is.

@@ -190,7 +190,7 @@ kj::Promise<void> PeerServer::connect(ConnectContext context) {
       });
 }
 
-/// Is a request that may be accepted.
+/// This is a request that may be accepted.
 struct PeerServer::Asked {
   std::string client;  // the required interface, as Admission::proven() returns it
   IncomingConnection connection;

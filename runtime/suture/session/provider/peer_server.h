@@ -15,8 +15,8 @@
 
 namespace suture {
 
-/// Is the bootstrap capability of one link, and holds what this process keeps of the session that
-/// the link carries. When the link goes, so do the connections made through it.
+/// A PeerServer is the bootstrap capability of one link, and holds what this process keeps of the
+/// session that the link carries. When the link goes, so do the connections made through it.
 class PeerServer final : public wire::Peer::Server, private ServerSession {
  public:
   PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller);
@@ -34,7 +34,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
 
  private:
   struct Asked;
-  /// Is a connection, or what a plain client has opened.
+  /// This is a connection, or what a plain client has opened.
   struct Held {
     kj::Own<rpc::ProviderEnd> end;
     std::shared_ptr<Channel> channel;

@@ -10,7 +10,7 @@ namespace suture {
 /// One thread asks and takes; any thread may give a place back.
 class Places {
  public:
-  /// Is free again when the last copy of it goes.
+  /// A Place is free again when the last copy of it goes.
   using Place = std::shared_ptr<void>;
 
   explicit Places(std::size_t most) : most_(most) {}

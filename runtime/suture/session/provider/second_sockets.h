@@ -19,7 +19,7 @@ class SecondSockets {
   SecondSockets(AwaitedSockets& awaited, Places& places, std::shared_ptr<rpc::Caller> caller)
       : awaited_(awaited), places_(places), caller_(std::move(caller)) {}
 
-  /// Is what the peer has to show on the socket, and to say of it later.
+  /// The peer has to show the token on the socket, and to name the number later.
   struct Expected {
     std::uint32_t number;
     rpc::Token token;

@@ -12,7 +12,7 @@ namespace suture {
 
 class Channel;
 
-/// Is what a provider's process tells of the channels that a connection had before.
+/// A provider's process tells this of the channels that a connection had before.
 struct Earlier {
   Tally tally;
   bool ended = false;  ///< they execute nothing any more, so these are the last counts

@@ -32,7 +32,7 @@ inline constexpr unsigned kKinds = 9;
 /// connections send.
 inline constexpr std::size_t kMostPayload = std::size_t{64} << 10;
 
-/// Is little-endian, as is every machine that this runs on.
+/// A Header is little-endian, as is every machine that this runs on.
 struct Header {
   std::uint32_t checksum = 0;      ///< CRC-32C of the rest of the header and of the payload
   std::uint32_t size = 0;          ///< of the payload, without the padding to whole words
@@ -58,7 +58,7 @@ struct Subscription {
   std::uint64_t columns;  ///< of the state that the client reads
 };
 
-/// Is the size of the largest frame in bytes.
+/// The largest frame has this many bytes.
 inline constexpr std::size_t kMostFrame = sizeof(Header) + kMostPayload;
 static_assert(kMostPayload == wordBytes(kMostPayload));
 

@@ -23,13 +23,13 @@ struct ValueName {
   std::uint16_t number;
 };
 
-/// Is a value that has arrived; it is valid until the next call.
+/// An ArrivedValue is a value that has arrived; it is valid until the next call.
 struct ArrivedValue {
   const std::byte* slot = nullptr;  ///< null: the frame makes no sense
   Errc error{};                     ///< why the slot has no value; 0: it has one
 };
 
-/// Is a row that has arrived; its values are valid until the next call.
+/// An ArrivedRow is a row that has arrived; its values are valid until the next call.
 struct ArrivedRow {
   rt::RowColumns columns;
   std::span<const rt::StateTable::Value> values;  ///< by column, if it has one
