@@ -24,7 +24,7 @@ namespace {
 using bench::Benchmark;
 using bench::Report;
 
-/// Has the options that all subcommands share.
+/// Holds the options that all subcommands share.
 struct CommonOptions {
   std::string jsonFile;
   bool check = false;

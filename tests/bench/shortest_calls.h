@@ -11,7 +11,7 @@
 
 namespace bench {
 
-/// Has costs in us of wall time.
+/// Its costs are in us of wall time.
 struct CallCosts {
   std::vector<double> shortest;  ///< of each case, the shortest of its five calls
   std::vector<double> every;     ///< every call, with what interrupted it

@@ -20,7 +20,8 @@ class Order : public Conformance {
   }
 };
 class WireOrder : public Order {};
-/// Has nothing between the client and the queue: what is replaced there has not been sent on.
+/// DirectOrder has nothing between the client and the queue: what is replaced there has not been
+/// sent on.
 class DirectOrder : public Order {};
 
 TEST_P(Order, ServoThenHoldEndsInHold) {

@@ -13,7 +13,7 @@ namespace conformance {
 
 enum class BaseLane { Local, Shm, Frame, Rpc, Added };
 
-/// Is a lane that the runtime does not have.
+/// An AddedLane is a lane that the runtime does not have.
 struct AddedLane {
   const char* name = nullptr;
   std::function<std::unique_ptr<suture::LaneKind>()> make;

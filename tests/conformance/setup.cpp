@@ -21,7 +21,7 @@ std::unique_ptr<Client> makeClient(ClientKind kind) {
 
 }  // namespace
 
-/// Is a global manager of the test's own.
+/// Names is a global manager of the test's own.
 struct Conformance::Names {
   Names(const std::string& address, const std::string& keys)
       : global(control, address, securityOf(suture::tls::kManagerName, keys)) {}

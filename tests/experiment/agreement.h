@@ -9,8 +9,8 @@
 
 namespace experiment {
 
-/// Is a point of the grid, run both ways with equal seeds: it has a result of each way for each
-/// seed.
+/// This is a point of the grid, run both ways with equal seeds: it has a result of each way for
+/// each seed.
 struct Point {
   Trial trial;
   std::vector<Result> real, stepped;

@@ -8,8 +8,8 @@
 
 namespace experiment {
 
-/// The process must have no stepped clock. Has an operator place a knot over the link of the trial,
-/// for kLength from when the guide begins. Equal trials have equal results.
+/// The process must have no stepped clock. Lets an operator place a knot over the link of the
+/// trial, for kLength from when the guide begins. Equal trials have equal results.
 Result run(const Trial& trial);
 constexpr double kLength = 20;  ///< s
 
@@ -17,7 +17,7 @@ constexpr double kLength = 20;  ///< s
 /// swings across it like a pendulum, which is slower.
 enum class Axis : std::uint8_t { AlongStrand, AcrossStrand };
 
-/// Is the limit with both inputs and without fixtures, over a link of constant delay.
+/// This is the limit with both inputs and without fixtures, over a link of constant delay.
 struct Limit {
   double loop = 0;       ///< s: what the system delays the picture without a link, measured
   double byFormula = 0;  ///< s, round trip: pi / (2 w_c) - tau - loop

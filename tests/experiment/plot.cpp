@@ -26,14 +26,14 @@ constexpr int kColumn = 380, kPanel = 330, kHead = 96;  // px
 constexpr int kLeft = 48, kRight = 20, kTop = 26, kBottom = 40;
 constexpr double kLongest = 0.5;  // s, of the link's round trips
 
-/// Is a round trip that was found acceptable.
+/// This is a round trip that was found acceptable.
 struct Acceptable {
   double delay;  // s
   const char* name;
 };
 constexpr std::array<Acceptable, 3> kAcceptable{{{0.1, "N"}, {0.2, "X"}, {0.3, "X"}}};
 
-/// Is one of the four curves of a panel.
+/// A Style is one of the four curves of a panel.
 struct Style {
   bool fixtures;
   Inputs inputs;
@@ -50,7 +50,7 @@ constexpr std::array<Style, 4> kStyles{{
     {false, Inputs::One, {235, 160, 0}, 6, false, "no fixtures, one input"},
 }};
 
-/// Is what is drawn upward in a panel.
+/// A Quantity is what is drawn upward in a panel.
 struct Quantity {
   const char* name;
   std::vector<double> ticks;  // the first and the last are the panel's ends

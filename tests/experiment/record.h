@@ -27,12 +27,12 @@ class Course {
   std::vector<Place> places;
 };
 
-/// Has of the console the masters, of the table all the rest.
+/// The console knows the masters of a record, the table all the rest.
 struct Record {
   Course left, right;                  ///< the arms' tips, each in its own base frame
   Course leftSetpoint, rightSetpoint;  ///< and where they shall be
   Course knot;                         ///< in the scene
-  /// Has when the guide began to guide, when it ceased, and so on.
+  /// These are the times when the guide began to guide, when it ceased, and so on.
   std::vector<std::int64_t> guidance;
 
   bool guidedAt(suture::Time then) const;

@@ -28,14 +28,14 @@ struct Result {
   std::optional<double> time;  ///< s, from the guide's beginning until the knot was placed
   double swing = 0;            ///< m: of the knot in the last quarter, along its widest axis
   double guided = 0;           ///< share of the time
-  /// Is the distance of a slave's tip from where its master asks it to be at the same instant, m,
-  /// while it is guided; what fixtures forbid is in it as well.
+  /// A slave's tip is this far from where its master asks it to be at the same instant, m, while it
+  /// is guided; what fixtures forbid is in it as well.
   double tracking50 = 0, tracking99 = 0;
 
   bool operator==(const Result&) const = default;
 };
 
-/// Is an instant of a trial, by the truth.
+/// A Moment is an instant of a trial, by the truth.
 struct Moment {
   Eigen::Vector3d error;  ///< m: of the knot from its target
   bool guided = false;

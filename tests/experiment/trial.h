@@ -13,7 +13,7 @@ namespace experiment {
 struct Link {
   /// There and back again; each way takes half of it.
   suture::Duration roundTrip{0};
-  /// Is the share of a way's time by which each message may take longer.
+  /// Each message may take longer by this share of a way's time.
   double jitter = 0;
   /// Chance of each message to be lost once. A stream sends it again, so it comes late.
   double loss = 0;
@@ -33,7 +33,7 @@ struct Trial {
   std::uint32_t seed = 1;
 };
 
-/// Is slave metres a master metre, in every trial.
+/// A slave moves this many metres a master metre, in every trial.
 constexpr double kScale = 0.4;
 
 /// Says what crosses the link on a connection: a message each `period`. So many connections with as

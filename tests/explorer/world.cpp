@@ -73,7 +73,7 @@ std::string describe(const suture::Lane& lane, const suture::ConnectionDelay& de
          std::to_string(plan.jitter.count()) + " ns";
 }
 
-/// Is the provider's process: an arm with a history of its own.
+/// A Robot is the provider's process: an arm with a history of its own.
 struct Robot {
   /// Its tasks run as `process`, and what carries its connections as `network`.
   Robot(const std::string& address, const std::string& log, std::uint32_t number,

@@ -73,7 +73,7 @@ bool hears(const Subscriber& subscriber, std::uint64_t more) {
   return eventually([&] { return subscriber.heard >= before + more; });
 }
 
-/// Has one process, with itself as a peer on the lanes between processes.
+/// StoppedTask has one process, with itself as a peer on the lanes between processes.
 class StoppedTask : public testing::TestWithParam<Lane> {
  protected:
   void connect(const std::string& required, const std::string& provided) {

@@ -57,7 +57,7 @@ class ByteProxy {
   std::uint64_t injected() const { return injected_; }
 
  private:
-  /// Has been read and not yet been written.
+  /// A Chunk has been read and not yet been written.
   struct Chunk {
     Time due{};
     std::vector<std::byte> bytes;

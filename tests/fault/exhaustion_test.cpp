@@ -21,7 +21,7 @@ std::size_t descriptorsOf(const Child& child) {
   return static_cast<std::size_t>(std::distance(begin(all), end(all)));
 }
 
-/// Is a crowd of callers that say nothing.
+/// This is a crowd of callers that say nothing.
 class Crowd {
  public:
   explicit Crowd(const rpc::Address& address) : address_(address) {}

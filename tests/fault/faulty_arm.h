@@ -14,7 +14,8 @@
 
 namespace reference {
 
-/// Is where it was last sent to. limit() makes its next run() hang; with a speed, without sleeping.
+/// The arm is where it was last sent to. limit() makes its next run() hang; with a speed, without
+/// sleeping.
 template <class Kind>
 class FaultyArm final : public Kind, public ArmLike {
  public:

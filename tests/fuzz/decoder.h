@@ -32,7 +32,7 @@ struct Decoder {
 /// Returns the decoders under test; each fuzzer links one list.
 std::span<const Decoder> decoders();
 
-/// Is the clock of a peer that was started a week later.
+/// The clock of a peer that was started a week later differs by this.
 inline constexpr Duration kShift = std::chrono::hours(24 * 7);
 
 template <class Value, class Slot, class Message>

@@ -40,7 +40,7 @@ constexpr BoundedLevel kLevelsOf48[] = {{.size = 4, .data = 8, .stride = 4, .cap
 constexpr std::array<BoundedLevels, 1> kColumnLevels = {kLevelsOf48};
 constexpr unsigned kRows = 4;
 
-/// Has both queues, in the order in which each process makes them.
+/// Holds both queues, in the order in which each process makes them.
 struct Queues {
   explicit Queues(Arena arena)
       : commands(kCommands, arena), events(kEvents, rt::Producers::One, arena) {}

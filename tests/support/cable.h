@@ -12,8 +12,8 @@
 
 namespace suture {
 
-/// Is the cable of the calling thread's namespace; threads and processes that it starts inherit it.
-/// All functions throw std::runtime_error where the kernel or iproute2 refuses.
+/// A Cable is that of the calling thread's namespace; threads and processes that it starts inherit
+/// it. All functions throw std::runtime_error where the kernel or iproute2 refuses.
 class Cable {
  public:
   static constexpr const char* kHere = "10.213.7.1";

@@ -11,8 +11,8 @@
 
 namespace suture {
 
-/// Has the system call of that number fail with `error` from now on, in this thread and those that
-/// it starts. Nothing takes it back.
+/// Makes the system call of that number fail with `error` from now on, in this thread and those
+/// that it starts. Nothing takes it back.
 inline void refuseCall(long number, int error) {
   sock_filter steps[] = {
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),

@@ -36,7 +36,7 @@ inline std::size_t residentBytes() {
   return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Is false under a sanitizer, which keeps what has been freed.
+/// This is false under a sanitizer, which keeps what has been freed.
 #if defined(SUTURE_ADDRESS_SANITIZER) || defined(SUTURE_THREAD_SANITIZER)
 constexpr bool kGivesMemoryBack = false;
 #else

@@ -11,8 +11,8 @@
 
 namespace suture {
 
-/// Is a directory that no other user can enter, removed at the end with what is in it. Throws
-/// SetupError if there cannot be one.
+/// A TemporaryDirectory is a directory that no other user can enter, removed at the end with what
+/// is in it. Throws SetupError if there cannot be one.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {

@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// Is a thread of a test that a stepped clock knows.
+/// A TestThread is a thread of a test that a stepped clock knows.
 class TestThread {
  public:
   explicit TestThread(std::function<void()> body) {

@@ -33,7 +33,7 @@ constexpr std::size_t kTurn = 5;
 
 using Scratch = std::array<capnp::word, 64>;
 
-/// Is one way to turn a record into the bytes of a message and back.
+/// A Codec is one way to turn a record into the bytes of a message and back.
 template <class Value, class Wire, class Conversion>
 class RecordCodec {
  public:

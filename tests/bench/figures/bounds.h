@@ -9,7 +9,7 @@
 
 namespace bench {
 
-/// Is one line of bounds.txt.
+/// A Bound is one line of bounds.txt.
 struct Bound {
   std::string subcommand;
   std::string figure;

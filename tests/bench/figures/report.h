@@ -10,13 +10,13 @@
 
 namespace bench {
 
-/// Is one value with its unit.
+/// This is one value with its unit.
 struct Value {
   double value;
   std::string unit;
 };
 
-/// Has figures in the order in which they were added. A figure is a distribution, a single value,
+/// Holds figures in the order in which they were added. A figure is a distribution, a single value,
 /// or the reason why it could not be had: none is left out silently. Names are dotted:
 /// "event.csc.network".
 class Report {

@@ -7,7 +7,7 @@
 
 namespace bench {
 
-/// Is in the unit of the samples, and all zero if there are none.
+/// Its numbers are in the unit of the samples, and all zero if there are none.
 struct Statistics {
   std::size_t count = 0;
   double mean = 0, std = 0, min = 0, p50 = 0, p99 = 0, p999 = 0, max = 0;

@@ -15,7 +15,7 @@ struct Query {
   bool admissible = true;  ///< joints within the limits reach it
 };
 
-/// Is an endless sequence that is the same each time.
+/// This is an endless sequence that is the same each time.
 template <int N>
 class Queries {
  public:

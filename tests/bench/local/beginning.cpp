@@ -16,8 +16,8 @@ using suture::MemoryBlock;
 
 constexpr suture::Duration kSilence = std::chrono::hours(1);
 
-/// Is the provider's end of a connection, on memory of its own or on memory that its client may
-/// write.
+/// A ProvidersEnd is the provider's end of a connection, on memory of its own or on memory that its
+/// client may write.
 class ProvidersEnd {
  public:
   explicit ProvidersEnd(suture::Duration silence, Arena memory = {})

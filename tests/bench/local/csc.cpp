@@ -32,7 +32,7 @@ Samples taskRounds(int cpu, std::size_t count) {
   return samples.get();
 }
 
-/// Is one direction of the bare ping-pong.
+/// A RingWay is one direction of the bare ping-pong.
 struct RingWay {
   suture::rt::SpscRing ring{suture::rt::SpscRing::recordSize(sizeof(PoseSample)),
                             sizeof(PoseSample)};

@@ -21,7 +21,7 @@ namespace {
 using robots::PoseSample;
 using suture::now;
 
-/// Is one direction: the value, and a number that counts it.
+/// A Way is one direction: the value, and a number that counts it.
 struct Way {
   std::atomic<std::uint32_t> count{0};
   alignas(64) char value[sizeof(PoseSample)];

@@ -12,7 +12,7 @@ namespace bench {
 /// Another process of this machine can be reached by these; they are part of the figures' names.
 inline const suture::Lane kLanes[] = {suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc};
 
-/// Is a lane, over one kind of socket.
+/// A LaneOverSocket is a lane, over one kind of socket.
 struct LaneOverSocket {
   const char* title;
   const char* figure;  ///< part of the figures' names
@@ -28,7 +28,7 @@ inline const LaneOverSocket kLanesOverSockets[] = {
     {"rpc, TCP", "rpc.tcp", Transport::Tcp, suture::Lane::Rpc},
 };
 
-/// Is `frame` as between builds that differ, in a process that has had addEncodedFrames().
+/// This is `frame` as between builds that differ, in a process that has had addEncodedFrames().
 inline const suture::Lane kEncodedFrames{"frame-encoded"};
 void addEncodedFrames(suture::Manager& manager);
 

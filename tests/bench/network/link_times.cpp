@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 
 constexpr suture::Duration kSilenceBound = 200ms;
 
-/// Is a client that is connected to the provider in another process.
+/// This is a client that is connected to the provider in another process.
 struct Connected {
   Connected(const suture::Lane& lane, const NetworkOptions& options,
             const suture::ConnectionContract& contract = {})

@@ -5,7 +5,7 @@
 
 namespace bench {
 
-/// Is the size of PoseSample as a message: 15 words and a header.
+/// A PoseSample as a message has this size: 15 words and a header.
 constexpr std::size_t kMessageBytes = 144;
 
 }  // namespace bench

@@ -31,7 +31,7 @@ double measureReads(SampleDevice& client) {
   return timedLoops(1, 20'000, read).p50;
 }
 
-/// Has a provider in this process, and its client.
+/// Holds a provider in this process, and its client.
 struct Near {
   explicit Near(const NetworkOptions& options) : provider(options.otherCpu) {
     suture::connectLocally(client.server, provider.provided(), "bench");
@@ -42,7 +42,7 @@ struct Near {
   SampleDevice client;
 };
 
-/// Has a provider in another process, and its client.
+/// Holds a provider in another process, and its client.
 struct Far {
   explicit Far(const NetworkOptions& options) : provider(Transport::Unix, options.otherCpu) {
     provider.manager().add("Client", client);

@@ -29,7 +29,7 @@ struct NetworkOptions {
   std::size_t goals() const { return quick ? 100 : 5000; }
   std::size_t links() const { return quick ? 2 : 20; }
   std::size_t survivorRounds() const { return quick ? 1 : 3; }
-  /// Is the least length; it ends with the fault under way.
+  /// Returns the least length; it ends with the fault under way.
   std::chrono::milliseconds survivorWindow() const {
     return std::chrono::milliseconds(quick ? 1 : 1700);
   }

@@ -53,7 +53,7 @@ struct Periods {
   }
 };
 
-/// Is the arm's process, to which it happens.
+/// A Victim is the arm's process, to which it happens.
 class Victim {
  public:
   /// `cpu` is the processor of all of its threads; a process that begins takes a processor for a
@@ -84,7 +84,7 @@ class Victim {
   std::uint64_t faults_ = 0;
 };
 
-/// Is a client of the arm that lives on.
+/// A Survivor is a client of the arm that lives on.
 class Survivor {
  public:
   Survivor(const suture::Lane& lane, const Names& names, const NetworkOptions& options)
@@ -164,9 +164,9 @@ void injectFor(suture::Duration length, Victim& victim, Survivor& survivor) {
   } while (now() < end);
 }
 
-/// Is a loop that only sleeps, on the survivor's processor at the same time: what the machine takes
-/// from the one it takes from the other. It has the higher priority, so that what the survivor
-/// itself takes too long for is missing to the survivor alone.
+/// A BareLoop is a loop that only sleeps, on the survivor's processor at the same time: what the
+/// machine takes from the one it takes from the other. It has the higher priority, so that what the
+/// survivor itself takes too long for is missing to the survivor alone.
 class BareLoop {
  public:
   explicit BareLoop(const NetworkOptions& options)

@@ -33,7 +33,8 @@ struct ArmPlace {
 inline constexpr std::array<ArmPlace, kArmCount> kArms{
     {{"left", "MTML"}, {"left", "PSM2"}, {"right", "MTMR"}, {"right", "PSM1"}}};
 
-/// Has a master and a slave, whose drives need a permit, and a viewer that looks at the images.
+/// An ArmPair is a master and a slave, whose drives need a permit, and a viewer that looks at the
+/// images.
 struct ArmPair {
   /// `first` is the place in kArms.
   ArmPair(std::size_t first, robots::Side side);
@@ -57,7 +58,7 @@ struct StopDesk {
   robots::Coordinator coordinator{robots::CoordinatorParameters{}};
 };
 
-/// Has an endoscope that looks at a strand between both slaves.
+/// A StopVision is an endoscope that looks at a strand between both slaves.
 struct StopVision {
   void addTo(suture::Manager& manager);
 

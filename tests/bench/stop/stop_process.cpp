@@ -29,7 +29,7 @@ struct Arguments {
 
 const Places kElsewhere{.desk = "desk", .left = "left", .right = "right", .vision = "vision"};
 
-/// Is `party` until it is told to end. It is there before the manager, which stops it before it
+/// Runs `party` until it is told to end. It is there before the manager, which stops it before it
 /// goes.
 template <class Party, class Connect>
 void serve(const Arguments& given, Party& party, const Connect& connectParty) {

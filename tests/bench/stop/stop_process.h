@@ -22,8 +22,8 @@ void connectPair(suture::Manager& manager, const ArmPair& pair, const Places& pl
 /// Connects the strand to both slaves.
 void connectVision(suture::Manager& manager, const Places& places, const suture::Lane& lane);
 
-/// Adds the hidden subcommand: is process "desk", "left", "right" or "vision" until it is told to
-/// end; a pair then writes how many images it has seen.
+/// Adds the hidden subcommand, which is process "desk", "left", "right" or "vision" until it is
+/// told to end; a pair then writes how many images it has seen.
 void addStopProcess(CLI::App& program);
 /// Says how this program is called to be that process.
 std::vector<std::string> stopProcessArguments(const std::string& process,

@@ -7,7 +7,7 @@
 
 namespace bench {
 
-/// Has the descriptors of two connected, blocking stream sockets.
+/// A SocketPair holds the descriptors of two connected, blocking stream sockets.
 using SocketPair = std::array<int, 2>;
 
 /// Connects them, over the loopback if it is TCP, with each send leaving at once. Throws

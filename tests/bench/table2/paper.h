@@ -11,7 +11,7 @@ struct Row {
   double mean, std, min, max;
 };
 
-/// Is one operating system.
+/// This is one operating system.
 struct System {
   const char* name;
   Row scsLocal, scsNetwork;

@@ -180,7 +180,7 @@ class RecordingArm : public GripperArm {
   mutable std::atomic<pid_t> ranIn_{0}, answeredBy_{0};
 };
 
-/// Has what a component provides: the contract, and one that derives from it.
+/// Holds what a component provides: the contract, and one that derives from it.
 struct Ports {
   suture::Provided<ArmLike>& arm;
   suture::Provided<GripperArm>& gripper;
@@ -207,12 +207,12 @@ class Emissions {
   std::vector<std::function<void(Ports)>> asked_;
 };
 
-/// Is what every kind of provider offers the test.
+/// An ArmComponent is what every kind of provider offers the test.
 class ArmComponent : public RecordingArm {
  public:
   using RecordingArm::RecordingArm;
   virtual suture::Component& component() = 0;
-  /// Has `emission` run where this kind of component emits.
+  /// Runs `emission` where this kind of component emits.
   void emitSoon(std::function<void(Ports)> emission) {
     perform([this, emission = std::move(emission)](Ports ports) {
       emittedIn_ = gettid();

@@ -20,7 +20,7 @@ namespace conformance {
 using Arm = suture::Required<ArmLike>;
 using Gripper = suture::Required<GripperArm>;
 
-/// Has what arrived as events.
+/// Holds what arrived as events.
 struct Received {
   std::vector<Mode> modes;
   std::vector<double> arrivals;
@@ -39,7 +39,8 @@ class Client {
   void withGripper(const std::function<void(Gripper&)>& work) {
     with([&](Arm&) { work(gripper()); });
   }
-  /// Has the client look for events until `enough` says so of what has been received, at most 10 s.
+  /// Lets the client look for events until `enough` says so of what has been received, at most 10
+  /// s.
   virtual bool await(const std::function<bool(const Received&)>& enough) = 0;
 
  protected:

@@ -10,16 +10,16 @@
 
 namespace conformance {
 
-/// Is a copy of this process that does what it is asked, one thing after the other.
+/// A Fork is a copy of this process that does what it is asked, one thing after the other.
 class Fork {
  public:
-  /// Is what the copy does: a function of this program, of what the copy has made and of bytes that
-  /// it is sent. It answers with bytes.
+  /// A Deed is what the copy does: a function of this program, of what the copy has made and of
+  /// bytes that it is sent. It answers with bytes.
   using Deed = std::string (*)(void* made, const std::string& given);
 
   /// `make` runs in the copy, before all deeds. Call it before this process has a second thread.
   explicit Fork(const std::function<std::shared_ptr<void>()>& make);
-  /// Has the copy destroy what it has made, and end; a failure of a test in it is one here.
+  /// Lets the copy destroy what it has made, and end; a failure of a test in it is one here.
   ~Fork();
   Fork(const Fork&) = delete;
   Fork& operator=(const Fork&) = delete;

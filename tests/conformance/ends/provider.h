@@ -22,13 +22,13 @@ namespace conformance {
 /// is "".
 suture::Security securityOf(const std::string& process, const std::string& keys);
 
-/// Has what there is in the provider's process.
+/// Holds what there is in the provider's process.
 struct Hosted {
   std::unique_ptr<ArmComponent> arm;
   std::unique_ptr<suture::Manager> manager;
 };
 
-/// Any thread may use it, once it is made. Has an arm and its manager, here or in a fork of this
+/// Any thread may use it, once it is made. Holds an arm and its manager, here or in a fork of this
 /// process.
 class Provider {
  public:
@@ -51,7 +51,7 @@ class Provider {
   std::invoke_result_t<Work, ArmComponent&> at(Work work) const {
     return run([work](Hosted& hosted) { return work(*hosted.arm); });
   }
-  /// Has `emission` run where this kind of component emits.
+  /// Runs `emission` where this kind of component emits.
   template <class Emission>
   void emitSoon(Emission emission) const {
     at([emission](ArmComponent& arm) { arm.emitSoon(emission); });

@@ -38,7 +38,8 @@ sockaddr_in addressOf(const char* host) {
   return address;
 }
 
-/// Is a socket of that end, bound to its address. A receipt waits no longer than a test's patience.
+/// This is a socket of that end, bound to its address. A receipt waits no longer than a test's
+/// patience.
 class Socket {
  public:
   Socket(const LinkEnd& end, int type, const char* host) {
@@ -67,7 +68,7 @@ class Socket {
   int descriptor;
 };
 
-/// Is a link with a thread that forwards for as long as it lives.
+/// A LiveLink is a link with a thread that forwards for as long as it lives.
 class LiveLink {
  public:
   explicit LiveLink(const PacketFate& fate)

@@ -5,8 +5,8 @@
 
 namespace experiment {
 
-/// Is one end of a link, to a machine of its own as far as the network goes. It is gone when this
-/// is, and every thread that has entered it.
+/// A LinkEnd is one end of a link, to a machine of its own as far as the network goes. It is gone
+/// when this is, and every thread that has entered it.
 class LinkEnd {
  public:
   /// `address` and `peer` are IPv4, of this end and of the other one. Throws suture::SetupError
@@ -16,8 +16,8 @@ class LinkEnd {
   LinkEnd(const LinkEnd&) = delete;
   LinkEnd& operator=(const LinkEnd&) = delete;
 
-  /// Has the IP packets of this end: a read takes one that its kernel sends, a write has one
-  /// arrive; both never block.
+  /// Returns the descriptor of this end's IP packets: a read takes one that its kernel sends, a
+  /// write has one arrive; both never block.
   int packets() const { return packets_; }
   /// Moves the calling thread there; the threads and processes that it starts are there too. Throws
   /// suture::SetupError.

@@ -9,12 +9,12 @@
 
 namespace experiment {
 
-/// Is a slave and the master that leads it, each in its own base frame.
+/// A Pair is a slave and the master that leads it, each in its own base frame.
 struct Pair {
   Eigen::Isometry3d master, slave, setpoint;
 };
 
-/// Is what is true at one instant.
+/// A Truth is what is true at one instant.
 struct Truth {
   Eigen::Vector3d knot;  ///< in the scene, m
   bool guided = false;

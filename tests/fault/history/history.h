@@ -26,7 +26,7 @@ struct HistorySums {
   bool operator==(const HistorySums&) const = default;
 };
 
-/// Is one line of a log. All steady clocks are this machine's.
+/// A HistoryEntry is one line of a log. All steady clocks are this machine's.
 struct HistoryEntry {
   enum class Kind : std::uint8_t {
     Sent,   ///< the client is about to send a command; `limit`: the deadline of its call, 0: none

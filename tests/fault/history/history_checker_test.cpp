@@ -121,7 +121,7 @@ TEST(HistoryChecker, TheNextConnectionHasNoLoss) {
   expectNone(history);
 }
 
-/// Has what both ends of the first client's connection say in the end.
+/// Holds what both ends of the first client's connection say in the end.
 struct Ledgers {
   HistorySums client{.accepted = 103,
                      .executed = 98,

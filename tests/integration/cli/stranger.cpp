@@ -60,7 +60,7 @@ capnp::schema::Node::Builder nodeOf(Explanation::Builder explanation) {
   throw suture::SetupError("there is no such struct");
 }
 
-/// Has the struct numbers where it has outcomes.
+/// Gives the struct numbers where it has outcomes.
 void answerNumbers(capnp::schema::Node::Struct::Builder node) {
   for (auto field : node.getFields()) {
     if (!field.isSlot() || !field.getSlot().getType().isEnum()) continue;

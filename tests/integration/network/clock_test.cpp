@@ -79,7 +79,7 @@ TEST_P(ClockTest, AgesAreRightWithinTheShownError) {
   EXPECT_EQ(host->end(SIGKILL), -SIGKILL);
 }
 
-/// Has a clock that falls behind by 100 us in each second.
+/// DriftTest has a clock that falls behind by 100 us in each second.
 class DriftTest : public ClockTest {};
 
 TEST_P(DriftTest, IsFollowed) {

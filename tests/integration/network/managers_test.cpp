@@ -21,7 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Is suture-manager, and knows where it listens.
+/// A ManagerProcess is suture-manager, and knows where it listens.
 struct ManagerProcess : Child {
   explicit ManagerProcess(const std::string& at) : Child({paths::kSutureManager, "--listen", at}) {
     const std::string ready = line(), expected = "suture-manager: ready on ";
@@ -31,7 +31,7 @@ struct ManagerProcess : Child {
   std::string address;
 };
 
-/// Is a process that asks for the arm.
+/// An Asker is a process that asks for the arm.
 struct Asker {
   Asker(const std::string& name, const std::string& managers) : manager(name, managers) {
     manager.add("Console", console);

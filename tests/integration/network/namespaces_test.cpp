@@ -25,7 +25,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Has the address of the global manager, the lane asked for, and the lane expected.
+/// A Case has the address of the global manager, the lane asked for, and the lane expected.
 using Case = std::tuple<const char*, Lane, const char*>;
 
 class Namespaces : public testing::TestWithParam<Case> {

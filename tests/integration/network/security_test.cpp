@@ -98,7 +98,7 @@ class SecurityTest : public testing::Test {
 const Role kEverything{.full = {"*/*"}, .read = {}};
 const Role kLooksAtArms{.full = {}, .read = {"PSM/Arm"}};
 
-/// Is a process 'robot' with an arm.
+/// This is a process 'robot' with an arm.
 struct Robot {
   explicit Robot(const std::function<Manager()>& make) : manager(make()) {
     manager.add("PSM", arm);

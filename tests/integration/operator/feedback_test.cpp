@@ -27,8 +27,8 @@ OperatorParameters feeling(bool passive) {
           .passive = passive};
 }
 
-/// Has a delay of 50 ms there and 50 ms back. A slave is exactly where its master sends it, so the
-/// master's arm stands for both, and a metre of it is one of the slave's.
+/// FeelingHands have a delay of 50 ms there and 50 ms back. A slave is exactly where its master
+/// sends it, so the master's arm stands for both, and a metre of it is one of the slave's.
 struct FeelingHands : testing::Test {
   void begin(OperatorParameters parameters) {
     parameters.target = kPlace;

@@ -37,8 +37,7 @@ TEST_F(AtDesk, BringsTheKnotToItsTarget) {
   EXPECT_LT((leftHand() - rightHand()).norm(), 1e-6);
 }
 
-/// Is a guide that has slaves go in the picture as hands do at the display, however things are
-/// turned.
+/// The guide lets slaves go in the picture as hands do at the display, however things are turned.
 TEST(AtATurnedDesk, BringsTheKnotToItsTarget) {
   SceneFrames frames;
   frames.camera.linear() = Eigen::AngleAxisd(2, Vector3d(1, 2, 0).normalized()).matrix();

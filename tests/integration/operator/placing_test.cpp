@@ -23,7 +23,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Has all of the system, in one process.
+/// Holds all of the system, in one process.
 struct Theatre {
   explicit Theatre(suture::Duration delay) {
     leftMaster.addTo(manager, "MTML");

@@ -14,9 +14,9 @@
 
 namespace robots::test {
 
-/// Any thread may use members that are atomic. Is a guide that lets everything pass, and a camera
-/// that exposes a picture each cycle: the knot begins at the origin and moves by kScale times the
-/// mean of what both masters move. The camera's frame is the scene's.
+/// Any thread may use members that are atomic. A Scene is a guide that lets everything pass, and a
+/// camera that exposes a picture each cycle: the knot begins at the origin and moves by kScale
+/// times the mean of what both masters move. The camera's frame is the scene's.
 class Scene final : public suture::PeriodicTask, public KnotVision, public Guidance {
  public:
   static constexpr double kScale = 0.4;

@@ -21,7 +21,7 @@
 
 namespace robots::test {
 
-/// Is in the state that the test says, from its next cycle on.
+/// This teleoperation is in the state that the test says, from its next cycle on.
 class ScriptedTeleoperation final : public suture::PeriodicTask, public Teleoperation {
  public:
   ScriptedTeleoperation() : PeriodicTask({.period = std::chrono::milliseconds(1)}) {}
@@ -47,7 +47,7 @@ class ScriptedTeleoperation final : public suture::PeriodicTask, public Teleoper
   suture::Provided<Teleoperation> port_{*this, "Teleoperation", *this};
 };
 
-/// Is the gripper of the master. Its angle is -1 until the test squeezes it.
+/// A ScriptedHand is the gripper of the master. Its angle is -1 until the test squeezes it.
 class ScriptedHand final : public suture::PeriodicTask, public GripperHand {
  public:
   ScriptedHand() : PeriodicTask({.period = std::chrono::milliseconds(1)}) {}

@@ -26,7 +26,8 @@
 
 namespace invented {
 
-/// Is a type of ours, so that the functions below are found by their argument whatever they fill.
+/// This is a type of ours, so that the functions below are found by their argument whatever they
+/// fill.
 struct Random : std::mt19937_64 {
   /// Says how many elements containers get; with Beyond the first one gets one more than it may
   /// have, all others what they may.
@@ -79,7 +80,7 @@ class Descent {
   Random& random_;
 };
 
-/// Has the capacities of a member, from outside to inside; each level takes its own.
+/// These are the capacities of a member, from outside to inside; each level takes its own.
 using Bounds = const unsigned*;
 
 template <class T>

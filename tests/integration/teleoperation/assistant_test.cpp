@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::pass;
 
-/// Is another hand at the stop.
+/// A Bystander is another hand at the stop.
 struct Bystander final : suture::Device {
   suture::Required<EmergencyStop> button{*this, "Stop"};
   suture::Required<Console> console{*this, "Console"};

@@ -5,7 +5,8 @@
 namespace robots::test {
 namespace {
 
-/// Has a second console, which takes the place of the first one when that is restarted.
+/// RestartedConsole has a second console, which takes the place of the first one when that is
+/// restarted.
 class RestartedConsole : public ConsoleTest {
  protected:
   ~RestartedConsole() override { manager_.stop(); }

@@ -36,7 +36,7 @@ struct Panel final : suture::Device {
   std::vector<ArmWarning> codes;
 };
 
-/// Has the arm's process, and the console's with all that drives it.
+/// Holds the arm's process, and the console's with all that drives it.
 class GoneConsole : public testing::TestWithParam<suture::Lane> {
  protected:
   static constexpr suture::Duration kSilence = 50ms;  // half of what ends a stream by itself

@@ -132,8 +132,8 @@ SceneFrames turnedScene() {
   return frames;
 }
 
-/// Has everything turned: what the surgeon sees at the display is still what happens in the
-/// picture.
+/// TurnedGuide has everything turned: what the surgeon sees at the display is still what happens in
+/// the picture.
 class TurnedGuide : public Guide {
  protected:
   TurnedGuide() : Guide(turnedScene()) {}

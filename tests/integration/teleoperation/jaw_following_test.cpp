@@ -23,7 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::pass;
 
-/// Has the surgeon's fingers, and eyes for the jaw.
+/// A SqueezingSurgeon has the surgeon's fingers, and eyes for the jaw.
 struct SqueezingSurgeon final : suture::Device {
   suture::Required<GripperHand> hand{*this, "Hand"};
   suture::Required<Jaw> jaw{*this, "Jaw"};
@@ -132,7 +132,7 @@ TEST_P(JawFollowing, IsSlowAfterAPause) {
   EXPECT_NEAR(jaw(), 0.2, 0.01);
 }
 
-/// Is a gripper whose clock may be wrong, and the jaw that follows it.
+/// Fingers are a gripper whose clock may be wrong, and the jaw that follows it.
 struct Fingers final : suture::Device, Gripper, Jaw {
   const JointConfiguration& configuration_js() const override { return configuration_; }
   const JointState& measured_js() const override { return stamped(measured_, ahead); }

@@ -61,7 +61,7 @@ TEST(Teleop, RespectsAnArmThatIsTakenAway) {
   EXPECT_TRUE(anchors.slave_setpoint.isApprox(before.pose, 1e-9)) << "the slave jumped";
 }
 
-/// Has somebody else bring the slave and the master up, as a console does, and then enables a
+/// Lets somebody else bring the slave and the master up, as a console does, and then enables a
 /// teleoperation that has nothing left to ask for.
 void followArmsThatAreUp(Workstation& station) {
   station.manager.start();

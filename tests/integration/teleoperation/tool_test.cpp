@@ -23,7 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::pass;
 
-/// Is a surgeon's hand, and teleoperates the instrument.
+/// Fingers are a surgeon's hand, which teleoperates the instrument.
 struct Fingers final : suture::Device {
   Fingers() {
     gripper.on().closed([this](const bool& is) { closed.push_back(is); });

@@ -178,8 +178,8 @@ Run eventQueueLargeOfOne() {
 
 namespace {
 
-/// Is a sleeper that sleeps only if there is nothing to do, beside a thread that brings work and
-/// rings.
+/// This is a sleeper that sleeps only if there is nothing to do, beside a thread that brings work
+/// and rings.
 struct Sleeper {
   Sleeper() : descriptor(eventfd(0, EFD_NONBLOCK)), bell(descriptor) {}
   ~Sleeper() { close(descriptor); }

@@ -25,7 +25,7 @@ bool independent(const Access& a, const Access& b) {
   return a.place != b.place || (!a.writes && !b.writes);
 }
 
-/// Is a moment of a run at which one of several threads had to be chosen.
+/// A Choice is a moment of a run at which one of several threads had to be chosen.
 struct Choice {
   Threads enabled = 0;
   Threads asleep = 0;  // another run has seen what comes if one of them is next

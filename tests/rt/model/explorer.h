@@ -9,8 +9,8 @@
 
 namespace model {
 
-/// Is one run of a scenario, on objects of its own. It has at most four threads; none may wait for
-/// another in a loop, or own memory on its stack: a run may be given up half-way.
+/// This is one run of a scenario, on objects of its own. It has at most four threads; none may wait
+/// for another in a loop, or own memory on its stack: a run may be given up half-way.
 struct Run {
   std::vector<std::function<void()>> threads;
   std::function<void()> atEnd;  ///< after all threads have ended

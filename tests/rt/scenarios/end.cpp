@@ -43,7 +43,7 @@ class Errands {
   std::vector<std::packaged_task<void()>> waiting_;
 };
 
-/// Has the interfaces of both directions on a component of kind Base.
+/// Holds the interfaces of both directions on a component of kind Base.
 template <class Base>
 class Ported : public Base, public Store, public End {
  public:

@@ -18,7 +18,7 @@ namespace scenarios {
 /// Says where a component's code runs: the original's kinds, and the task that borrows a thread.
 enum class Kind { Device, Periodic, Continuous, FromSignal, FromCallback, Guest };
 
-/// Has what arrived as events.
+/// Holds what arrived as events.
 struct Received {
   std::vector<double> scalars;
   std::vector<Vector> vectors;
@@ -35,7 +35,7 @@ class End {
 
   /// Adds the component, and what it needs to run, to `manager`.
   virtual void addTo(suture::Manager& manager, const std::string& name) = 0;
-  /// Is called after the manager's start(), and end() before its stop().
+  /// The test calls this after the manager's start(), and end() before its stop().
   virtual void begin() {}
   virtual void end() {}
 
@@ -45,7 +45,7 @@ class End {
   /// Waits until its code finds the other end connected, at most 10 s: one that is in a cycle when
   /// it is connected takes the connection over in its next.
   bool awaitConnection();
-  /// Has it look at what has been received until `enough` says so, at most 10 s.
+  /// Lets it look at what has been received until `enough` says so, at most 10 s.
   bool await(const std::function<bool(const Received&)>& enough);
 
  protected:

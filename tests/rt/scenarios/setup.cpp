@@ -23,8 +23,8 @@ suture::Lane askedLane(LaneUnderTest lane) {
 
 }  // namespace
 
-/// Has one process, or two and their global manager: two managers in one process share nothing but
-/// the sockets.
+/// Holds one process, or two and their global manager: two managers in one process share nothing
+/// but the sockets.
 struct Scenario::Processes {
   explicit Processes(const std::string& socket)
       : control(std::in_place),

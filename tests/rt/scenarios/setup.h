@@ -42,7 +42,8 @@ inline auto allCombinations() {
 
 std::string nameOf(const testing::TestParamInfo<Combination>& info);
 
-/// Is one prototype of an argument: the command of each kind that takes or gives it, and a value.
+/// This is one prototype of an argument: the command of each kind that takes or gives it, and a
+/// value.
 template <class Set, class Read, class Twice, class Take, class Swap, class Value>
 struct Prototype {
   Set& set;

@@ -11,7 +11,7 @@ namespace planted {
 [[gnu::noinline]] void allocateAndFree();
 [[gnu::noinline]] void askTheKernel();
 
-/// Is a lock that another thread holds until a thread has waited for it.
+/// A BusyLock is a lock that another thread holds until a thread has waited for it.
 class BusyLock {
  public:
   BusyLock();
@@ -26,7 +26,7 @@ class BusyLock {
   std::thread holder_;
 };
 
-/// Is memory that no thread has touched yet.
+/// A FreshMemory is memory that no thread has touched yet.
 class FreshMemory {
  public:
   explicit FreshMemory(std::size_t pages);

@@ -32,8 +32,8 @@ using testing::StartsWith;
 
 constexpr std::uint64_t kWarmUp = 2'000, kCycles = 1'000;
 
-/// Has the findings about an arm that does `crime` in every tenth of its cycles, and about its
-/// client.
+/// A Case has the findings about an arm that does `crime` in every tenth of its cycles, and about
+/// its client.
 struct Case {
   std::vector<std::string> arm, client;
 };

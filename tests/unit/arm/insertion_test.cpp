@@ -17,7 +17,7 @@ ArmModel<6> cannulaModel() {
 
 class InsertionTest : public CrtkArmTest {
  protected:
-  // In m: is the insertion joint's position less how far the wrist is beyond the centre.
+  // In m: this is the insertion joint's position less how far the wrist is beyond the centre.
   static constexpr double kShaft = 0.4318 - 0.4162;
 
   InsertionTest() : CrtkArmTest(cannulaModel()) {}

@@ -8,7 +8,7 @@
 
 namespace suture::cli {
 
-/// Is a message that explains the interface.
+/// This is a message that explains the interface.
 class Explained {
  public:
   Explained() { explain(interfaceInfo<robots::Gripper>(), message_.initRoot<wire::Explanation>()); }

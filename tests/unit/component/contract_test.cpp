@@ -31,7 +31,7 @@ struct Reader final : Task {
   void run() override { work(); }
 };
 
-/// Has a reader and two arms, all driven by the test.
+/// Holds a reader and two arms, all driven by the test.
 class Contract : public testing::Test {
  protected:
   Contract() {

@@ -14,7 +14,8 @@
 namespace suture {
 namespace {
 
-/// Is a device, so its commands and direct events run in the thread that calls and emits.
+/// A CalledArm is a device, so its commands and direct events run in the thread that calls and
+/// emits.
 struct CalledArm final : Device, StillArm {
   std::uint32_t reset() override { throw std::runtime_error("no power"); }
   Provided<reference::ArmLike> port{*this, "Arm", *this};

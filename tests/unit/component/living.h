@@ -43,7 +43,7 @@ class Diary {
   std::vector<std::thread::id> threads_;
 };
 
-/// Is a task that counts its cycles.
+/// This is a task that counts its cycles.
 template <class Kind>
 struct Cycling : Kind {
   using Kind::Kind;

@@ -78,7 +78,7 @@ struct Client final : Device {
   Time heardAt{};
 };
 
-/// Has an arm, and clients that are connected to it as each test says.
+/// Holds an arm, and clients that are connected to it as each test says.
 struct Delayed : testing::Test {
   Delayed() {
     manager.add("PSM", arm);

@@ -23,7 +23,7 @@ using reference::kStopped;
 
 constexpr std::uint16_t kMoved = 3;
 
-/// Is a delayed connection both of whose ends the test plays.
+/// A FarChannel is a delayed connection both of whose ends the test plays.
 struct FarChannel : testing::Test {
   /// Takes what there is.
   void turn() { connection.pump(now()); }
@@ -38,7 +38,7 @@ struct FarChannel : testing::Test {
     near->commands.commit();
     arrive();
   }
-  /// Has the provider answer call 1 of reset() with so many bytes.
+  /// Lets the provider answer call 1 of reset() with so many bytes.
   Errc answer(std::uint32_t size) {
     send(kReset, 1);
     far->provider.reply(1, {.size = size, .command = kReset}, [size](std::byte* result) {

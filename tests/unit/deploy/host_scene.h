@@ -48,7 +48,7 @@ class Refusing final : public PeriodicTask {
   void run() override {}
 };
 
-/// Is a gripper that is not there.
+/// This is a gripper that is not there.
 class Unplugged final : public PeriodicTask {
  public:
   Unplugged() : PeriodicTask({.period = 1ms}) {}

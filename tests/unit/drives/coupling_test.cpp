@@ -83,7 +83,7 @@ TEST_P(Couplings, KeepPower) {
   }
 }
 
-/// Has joints that are where they are told to be, and tell an effort.
+/// ObedientJoints are where they are told to be, and tell an effort.
 class ObedientJoints final : public SimulatedJoints<7> {
  public:
   void advance(double) override {}

@@ -26,7 +26,7 @@ using Joints7 = RigidBodyModel<7>::Joints;
 
 constexpr std::size_t kYaw = 0, kShoulder = 1;
 
-/// Is an enabled master, which is held at first.
+/// A ReleasedArm is an enabled master, which is held at first.
 class ReleasedArm : public testing::Test {
  protected:
   JointEffortGoal effort(std::size_t joint, double value) const {

@@ -33,7 +33,7 @@ struct Panel final : suture::Device {
   std::vector<std::string> texts;
 };
 
-/// Is an enabled arm in a process with its drives.
+/// A Robot is an enabled arm in a process with its drives.
 template <class AnArm, class Drives>
 class Robot {
  public:

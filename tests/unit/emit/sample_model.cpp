@@ -187,7 +187,7 @@ model::Header contractHeader() {
   return header;
 }
 
-/// Has members that are called as arguments of the annotations are.
+/// Returns an interface with members that are called as arguments of the annotations are.
 model::Interface names() {
   model::Interface result;
   result.name = "robots::Names";

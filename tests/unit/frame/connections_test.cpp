@@ -111,7 +111,7 @@ TEST_F(FrameConnections, ShareASocketWhenTheyComeBack) {
   EXPECT_TRUE(eventually([&] { return openSockets() <= before; })) << openSockets();
 }
 
-/// Is a client of the robot that the test plays.
+/// A Caller is a client of the robot that the test plays.
 class Caller : public reference::PlayedClient {
  public:
   explicit Caller(const std::string& manager) : PlayedClient(manager, "robot") {}

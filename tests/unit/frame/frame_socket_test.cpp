@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kSmallPayload = 64;
 
-/// Has two ends of a connection.
+/// Holds two ends of a connection.
 struct Ends {
   Ends() : Ends(rpc::makeSocketPair()) {}
   explicit Ends(rpc::SocketPair pair)

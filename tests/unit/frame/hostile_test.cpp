@@ -21,12 +21,12 @@ constexpr unsigned kSessions = 2000;
 
 const InterfaceInfo& contract() { return interfaceInfo<reference::ArmLike>(); }
 
-/// Is a channel in which the test plays everything.
+/// This is a channel in which the test plays everything.
 struct Played {
   std::shared_ptr<Channel> channel = reference::armChannel(reference::playedEnds(), "frame");
 };
 
-/// Is a peer that knows the form of frames.
+/// This is a peer that knows the form of frames.
 class Peer {
  public:
   explicit Peer(kj::AutoCloseFd socket) : socket_(kj::mv(socket)) {}
@@ -193,7 +193,7 @@ TEST(HostileFrames, AHostileProviderReachesOnlyItsChannel) {
   std::printf("%u sessions: %u events taken, %u sessions ended\n", kSessions, events, ended);
 }
 
-/// Has `side` take one frame, and returns what of its channel was refused.
+/// Lets `side` take one frame, and returns what of its channel was refused.
 template <class Side>
 std::string refusedOf(const Header& header, std::uint32_t size) {
   Played played;

@@ -45,7 +45,7 @@ bool isValue(unsigned seed, const std::byte* bytes) {
   return std::equal(value.begin(), value.end(), bytes);
 }
 
-/// Has both ends of a connection, whose tasks the test plays.
+/// Holds both ends of a connection, whose tasks the test plays.
 struct Easel {
   explicit Easel(std::uint32_t number)
       : client(makeSide<ClientSide>(near, number)), provider(makeSide<ProviderSide>(far, number)) {}

@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::uint16_t kHold = 2, kStopped = 2, kMoved = 3;
 
-/// Has both ends of a connection, whose tasks the test plays.
+/// Holds both ends of a connection, whose tasks the test plays.
 struct Pair {
   explicit Pair(std::uint32_t number)
       : client(makeSide<ClientSide>(near, number)), provider(makeSide<ProviderSide>(far, number)) {}

@@ -22,7 +22,7 @@ struct Queue {
   bool latest = false;
 };
 
-/// Is the contract of an arm in which hold() has that queue.
+/// A Version is the contract of an arm in which hold() has that queue.
 struct Version {
   explicit Version(Queue queue)
       : commands(arm().commands.begin(), arm().commands.end()), contract(arm()) {

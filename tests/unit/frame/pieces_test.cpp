@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kWhole = 2 * kMostPayload + 1000, kLimit = 3 * kMostPayload;
 
-/// Is a value that a sender cuts up.
+/// This is a value that a sender cuts up.
 struct Value {
   Value() : bytes(kWhole) {
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(i * i / 7);

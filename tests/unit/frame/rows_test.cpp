@@ -38,7 +38,7 @@ const InterfaceInfo& album() {
   return info;
 }
 
-/// Has a provider's table, and the payloads of a side that sends it.
+/// Holds a provider's table, and the payloads of a side that sends it.
 class Rows : public testing::Test {
  protected:
   /// All bytes of column i are `value` + i.

@@ -20,7 +20,7 @@
 namespace suture::frame {
 namespace {
 
-/// Has a link, and a peer whose values are as large as may be.
+/// Holds a link, and a peer whose values are as large as may be.
 class Growing {
  public:
   /// Adds a connection, and returns what is gone when its end has been noticed.

@@ -38,7 +38,7 @@ class WildHand {
   std::normal_distribution<double> step_;
 };
 
-/// Has two tips 80 mm apart, whose mean has the knot below it.
+/// Fixtures have two tips 80 mm apart, whose mean has the knot below it.
 class Fixtures : public testing::Test {
  protected:
   /// The knot is so far before the target, and so far from the line.

@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Is a PSM somewhere, whose joints are far from all limits.
+/// Room has a PSM somewhere, whose joints are far from all limits.
 class Room : public testing::Test {
  protected:
   TipJoints anywhere() {

@@ -84,7 +84,7 @@ TEST_P(LargeValuesBy, HaveAnySizeFromOneToNext) {
   }
 }
 
-/// Has one connection over a wire, and counts all of its bytes.
+/// SmallValuesBy has one connection over a wire, and counts all of its bytes.
 using SmallValuesBy = LargeValuesBy;
 
 INSTANTIATE_TEST_SUITE_P(EachWire, SmallValuesBy, testing::Values(Lane::Frame, kEncoded, Lane::Rpc),

@@ -53,7 +53,7 @@ void withSmallStack(const std::function<void()>& work) {
   pthread_join(thread, nullptr);
 }
 
-/// Has a visitor of a device and one of a task, both in this process.
+/// Holds a visitor of a device and one of a task, both in this process.
 class LargeValues : public testing::Test {
  protected:
   LargeValues() {

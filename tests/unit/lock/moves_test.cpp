@@ -27,8 +27,8 @@ model::Type optional(model::Type element) {
   return type;
 }
 
-/// Has Part, which moves from from.h to to.h, beside Rest in from.h, and Whole of user.h, which has
-/// a Part.
+/// The lock has Part, which moves from from.h to to.h, beside Rest in from.h, and Whole of user.h,
+/// which has a Part.
 class MovesTest : public testing::Test {
  protected:
   MovesTest() {

@@ -64,7 +64,7 @@ struct Client final : PeriodicTask {
   std::optional<Call<Result<void>, NoSlot>> call;
 };
 
-/// Has an arm and its client, running in one process.
+/// Holds an arm and its client, running in one process.
 template <class Arm>
 struct OneProcess {
   OneProcess() {

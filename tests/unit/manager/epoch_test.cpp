@@ -48,7 +48,7 @@ class Notices final : public wire::Notices::Server {
   std::atomic<int>& closed_;
 };
 
-/// Is a link whose caller says any name and number of its process.
+/// A Caller is a link whose caller says any name and number of its process.
 class Caller {
  public:
   /// `incarnation`: of its process; 0: it does not say.

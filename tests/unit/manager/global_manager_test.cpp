@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Is a process as the manager sees it.
+/// A Peer is a process as the manager sees it.
 class Peer {
  public:
   Peer(const std::string& name, const std::string& manager)

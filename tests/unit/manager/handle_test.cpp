@@ -45,7 +45,7 @@ std::string handleRefusal(Manager& manager, std::string_view name, std::string_v
   return refusal([&] { Handle<ArmLike> handle(manager, name, provided, {.patience = 100ms}); });
 }
 
-/// Has one process, or two of which the second has the arm.
+/// Holds one process, or two of which the second has the arm.
 class Handles : public testing::TestWithParam<bool> {
  protected:
   Handles() {

@@ -71,7 +71,7 @@ TEST(Resuming, TheOperatorAsksTheComponentItself) {
   EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
 }
 
-/// Is a client without a thread of its own.
+/// A DeviceClient is a client without a thread of its own.
 struct DeviceClient final : Device {
   Required<reference::ArmLike> slave{*this, "Slave"};
 };

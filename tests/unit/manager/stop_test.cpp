@@ -228,7 +228,7 @@ TEST(StopLocal, IsNotAskedForByATask) {
   EXPECT_EQ(arm.state(), ComponentState::Stopped);
 }
 
-/// Is told of modes, and stays in the handler of the first.
+/// Hears of modes, and stays in the handler of the first.
 struct OccupiedListener final : EventTask {
   OccupiedListener() {
     slave.on().stopped([this] { handler.stay(), ++heard; });

@@ -19,7 +19,7 @@
 namespace suture {
 namespace {
 
-/// Is suture-manager, with what it prints, errors too.
+/// A Program is suture-manager, with what it prints, errors too.
 class Program final : public Child {
  public:
   explicit Program(const std::string& listen, const std::vector<std::string>& more = {})

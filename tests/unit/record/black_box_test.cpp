@@ -202,7 +202,7 @@ TEST_F(Boxed, MayLookAtTheEndAlone) {
   EXPECT_NE(lastTold().find("Its last state is in"), std::string::npos);
 }
 
-/// Is parked by a command, whose caller's thread executes it.
+/// A command parks this device, and its caller's thread executes it.
 struct BrokenDevice final : Device, Lifecycle {
   bool suspend() override { throw std::runtime_error("the drive did not answer"); }
   bool resume() override { return false; }

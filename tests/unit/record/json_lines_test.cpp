@@ -278,7 +278,7 @@ TEST(JsonLines, RefusesAFileThatCannotBeWritten) {
   EXPECT_THROW(JsonLines(directory.file("missing/run.jsonl")), SetupError);
 }
 
-/// Is a named pipe.
+/// Makes a named pipe.
 std::string pipeIn(const TemporaryDirectory& directory) {
   std::string pipe = directory.file("pipe");
   EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0);

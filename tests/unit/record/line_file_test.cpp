@@ -19,7 +19,7 @@
 namespace suture {
 namespace {
 
-/// Is more than a pipe holds.
+/// Returns more than a pipe holds.
 std::string manyLines() {
   std::string lines;
   while (lines.size() < 500'000) lines += "a line of a recording\n";

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 const suture::Time kBroken{10s}, kMended{11s};
 
-/// Is how far an arm moves or turns in the cycle at a time.
+/// It says how far an arm moves or turns in the cycle at a time.
 using Steps = std::function<double(suture::Time)>;
 
 /// Returns three seconds of an arm that moves by `step` in the cycle at that time.

@@ -21,7 +21,7 @@ namespace suture::rpc::test {
 using namespace std::chrono_literals;
 using capnp::rpc::twoparty::Side;
 
-/// Has a server of echoes, over a Unix socket or TCP, both ends on one event loop.
+/// Holds a server of echoes, over a Unix socket or TCP, both ends on one event loop.
 class EchoScene : public testing::TestWithParam<const char*> {
  public:
   ~EchoScene() noexcept override {}

@@ -8,7 +8,7 @@
 namespace suture::rpc {
 namespace {
 
-/// Is a port whose other threads functions play.
+/// This is a port whose other threads functions play.
 class Port final : public EventPort {
  public:
   using EventPort::EventPort;

@@ -12,7 +12,7 @@
 namespace suture::rpc {
 namespace {
 
-/// Is standard error while it lives: a pipe that nobody reads until drain().
+/// This is standard error while it lives: a pipe that nobody reads until drain().
 class UnreadStandardError {
  public:
   UnreadStandardError() : before_(dup(STDERR_FILENO)) {

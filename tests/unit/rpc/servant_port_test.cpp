@@ -16,7 +16,7 @@
 namespace suture::rpc {
 namespace {
 
-/// Is the provider's end of a connection, whose task the test plays.
+/// This is the provider's end of a connection, whose task the test plays.
 struct Provider {
   explicit Provider(ControlThread& control)
       : channel(reference::armChannel(

@@ -29,7 +29,7 @@ TEST(Socket, BreaksWhenTheOtherMachineIsSilent) {
   EXPECT_EQ(optionOf(socket, IPPROTO_TCP, TCP_KEEPIDLE), 2) << "in whole seconds";
 }
 
-/// Has two ends of a TCP connection, of which the far one takes nothing.
+/// Holds two ends of a TCP connection, of which the far one takes nothing.
 struct Connected {
   Connected() {
     const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);

@@ -9,7 +9,7 @@
 namespace suture::rt {
 namespace {
 
-/// Is a bell whose owner sleeps, so that each ring that counts can be seen.
+/// A Sleeper is a bell whose owner sleeps, so that each ring that counts can be seen.
 class Sleeper {
  public:
   Sleeper() { bell.prepareToSleep(); }

@@ -16,7 +16,7 @@ namespace suture::rt::foreign_memory {
 
 inline constexpr std::size_t kBytes = 1u << 16;
 
-/// Has one block, and what each of two processes makes of it.
+/// Holds one block, and what each of two processes makes of it.
 template <class Queue>
 class Shared {
  public:

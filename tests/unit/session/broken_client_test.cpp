@@ -235,7 +235,7 @@ class BrokenClient : public RemoteArm {
   void SetUp() override { begin("tcp://127.0.0.1:0"); }
 };
 
-/// Is on the same machine.
+/// A BrokenNeighbour is on the same machine.
 class BrokenNeighbour : public RemoteArm {
  protected:
   void SetUp() override { begin(unixAddress()); }

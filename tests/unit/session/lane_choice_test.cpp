@@ -112,7 +112,7 @@ TEST_F(LaneChoice, ALaneOfOneProcessIsDeclined) {
                        "'hope'."));
 }
 
-/// Is a client, played by the test, that asks a process for a socket of a lane.
+/// A SocketSeeker is a client, played by the test, that asks a process for a socket of a lane.
 class SocketSeeker : public reference::PlayedClient {
  public:
   using PlayedClient::PlayedClient;

@@ -65,7 +65,7 @@ class LeavingPeer final : public wire::Peer::Server {
   const std::function<void()> leave_;
 };
 
-/// Is a process with such a peer, as far as others see it.
+/// A LeavingProcess is a process with such a peer, as far as others see it.
 class LeavingProcess {
  public:
   LeavingProcess(const std::string& manager, Leaves when) {

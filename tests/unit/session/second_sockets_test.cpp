@@ -38,7 +38,7 @@ class SocketOpener : public reference::PlayedClient {
   }
 };
 
-/// Has both ends of each socket in this process.
+/// SecondSockets have both ends of each socket in this process.
 struct SecondSockets : RemoteArm {
   void SetUp() override {
     rlimit limit{};
@@ -49,7 +49,7 @@ struct SecondSockets : RemoteArm {
   }
 };
 
-/// Is most of a message of 16 MiB.
+/// Returns most of a message of 16 MiB.
 std::vector<std::byte> begunMessage() {
   std::vector<std::byte> begun(15u << 20, std::byte{0});
   const std::uint32_t words = (16u << 20) / 8 - 2;

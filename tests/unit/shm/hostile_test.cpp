@@ -88,7 +88,7 @@ struct Teleop final : PeriodicTask {
   std::atomic<Errc> poseError{}, distanceError{};  // why the last had no value
 };
 
-/// Is another process, which has the memory and no good intentions.
+/// A Scribbler is another process, which has the memory and no good intentions.
 class Scribbler {
  public:
   Scribbler(const MemoryBlock& block, unsigned seed) : pid_(fork()) {
@@ -132,7 +132,7 @@ shm::SharedParts mappedAgain(const shm::SharedParts& parts, const InterfaceInfo&
   return mapped;
 }
 
-/// Has both ends of a connection, each as its process maps the memory; no end is attached.
+/// Holds both ends of a connection, each as its process maps the memory; no end is attached.
 struct SharedConnection {
   Psm psm;
   Teleop teleop;

@@ -150,7 +150,7 @@ TEST(TestClock, TellsThatNothingCanHappenAnyMore) {
                                              "it is rung"));
 }
 
-/// Has what the process writes to standard error from now on.
+/// Keeps what the process writes to standard error from now on.
 class HeardErrors {
  public:
   HeardErrors() : before_(dup(STDERR_FILENO)) {

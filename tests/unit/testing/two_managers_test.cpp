@@ -57,7 +57,7 @@ struct Operator final : PeriodicTask {
   Duration longestAge{};
 };
 
-/// Has a global manager, an arm in one process and its operator in another: three managers that
+/// Holds a global manager, an arm in one process and its operator in another: three managers that
 /// share nothing but sockets, and memory on `shm`.
 struct System {
   explicit System(const Lane& lane) {
@@ -105,7 +105,7 @@ Trace traceOf(const Lane& lane, std::uint64_t seed) {
   return clock.trace();
 }
 
-/// Is a process that listens at `path` until it is killed.
+/// An OtherProcess is a process that listens at `path` until it is killed.
 class OtherProcess {
  public:
   explicit OtherProcess(const std::string& path) {

@@ -108,7 +108,7 @@ class SessionTest : public testing::Test {
                               theirs_ = directory_.path() / "theirs";
 };
 
-/// Has two sessions of ours that have shaken hands.
+/// Holds two sessions of ours that have shaken hands.
 struct Pair {
   Pair(std::shared_ptr<const Keys> left, std::shared_ptr<const Keys> right)
       : client(std::move(left), Side::Client, sockets.ends[0]),

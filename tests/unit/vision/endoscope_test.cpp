@@ -101,7 +101,7 @@ struct Panel final : suture::Device {
 
 using Sightings = std::map<suture::Time, KnotSighting>;
 
-/// Has a whole system of strand, cameras and tracker.
+/// Holds a whole system of strand, cameras and tracker.
 class Theatre {
  public:
   explicit Theatre(const EndoscopeParameters& parameters) : endoscope(parameters) {

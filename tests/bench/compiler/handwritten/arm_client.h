@@ -11,14 +11,14 @@
 
 namespace handwritten {
 
-/// Is a value and when the arm made it.
+/// This is a value and when the arm made it.
 template <class T>
 struct Stamped {
   T value;
   suture::Time stamp;
 };
 
-/// Has what a subscriber is told. Handlers that are empty are not called.
+/// ArmHandlers hear what a subscriber is told. Handlers that are empty are not called.
 struct ArmHandlers {
   std::function<void(const robots::OperatingState&)> operating_state;
   std::function<void(robots::ArmState)> desired_state;

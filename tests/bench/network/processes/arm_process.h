@@ -15,7 +15,7 @@
 
 namespace bench {
 
-/// Is the cycle of both ends.
+/// Both ends have this cycle.
 inline constexpr suture::PeriodicOptions kCycle{.period = std::chrono::milliseconds(1)};
 
 /// Counts allocations of a task's thread and of the lane threads of its process in steady state:
@@ -52,7 +52,7 @@ class AllocationCount {
   std::atomic<std::uint64_t> cycles_{0}, found_{0}, foundInLane_{0};
 };
 
-/// Is what an arm process says of itself.
+/// An ArmResult is what an arm process says of itself.
 struct ArmResult {
   std::uint64_t cycles, allocations, laneAllocations;  ///< of its AllocationCount
   std::uint64_t laneThreads;

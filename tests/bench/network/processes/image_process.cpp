@@ -35,7 +35,7 @@ class Commander final : public suture::PeriodicTask {
   robots::PoseSample pose_ = poseSample();
 };
 
-/// Has images as large as the endoscope's, and as often, but nothing is drawn.
+/// Gives images as large as the endoscope's, and as often, but nothing is drawn.
 class Camera final : public suture::PeriodicTask, public robots::StereoImages {
  public:
   Camera() : PeriodicTask({.period = 66'667us}) {

@@ -9,7 +9,7 @@
 
 namespace bench {
 
-/// Is the priority of the threads of connections: otherwise a thread that computes on an image for
+/// The threads of connections have this priority: otherwise a thread that computes on an image for
 /// milliseconds would keep a goal waiting.
 inline constexpr int kLanePriority = 60;
 

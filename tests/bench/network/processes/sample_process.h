@@ -13,7 +13,7 @@ namespace bench {
 /// Adds the hidden subcommand that the process runs.
 void addSampleProcess(CLI::App& program);
 
-/// Has the process, the global manager between, and this process's manager. The provider is
+/// Holds the process, the global manager between, and this process's manager. The provider is
 /// "server:Server/Samples".
 class SampleProcess {
  public:

@@ -10,7 +10,7 @@
 
 namespace bench {
 
-/// Is set in the flags of the values that count.
+/// The flags of the values that count have this bit.
 inline constexpr std::uint32_t kMeasured = 2;
 
 struct SubscriberSetup {

@@ -13,7 +13,7 @@ namespace bench {
 /// Adds the hidden subcommand that the process runs.
 void addBlockProcess(CLI::App& program);
 
-/// Has the process, the global manager between, and this process's manager. The providers are
+/// Holds the process, the global manager between, and this process's manager. The providers are
 /// "server:Small/Blocks" and "server:Large/Blocks".
 class BlockProcess {
  public:

@@ -12,8 +12,8 @@
 
 namespace bench {
 
-/// Is a task of the kind that the setup asks for, which requires the interface "Server" and goes
-/// round its loop as often as the setup says.
+/// A Client is a task of the kind that the setup asks for, which requires the interface "Server"
+/// and goes round its loop as often as the setup says.
 class Client {
  public:
   virtual ~Client() = default;

@@ -12,7 +12,7 @@
 
 namespace bench {
 
-/// Is a task of the kind that the setup asks for, which provides the interface "Loop".
+/// A Server is a task of the kind that the setup asks for, which provides the interface "Loop".
 class Server {
  public:
   virtual ~Server() = default;

@@ -7,7 +7,7 @@
 
 namespace robots::test {
 
-/// Is the target in the scene, m.
+/// The knot shall come here in the scene, m.
 inline const Eigen::Vector3d kKnotTarget{0.004, -0.003, -0.152};
 
 /// Both slaves stand 10 cm from each other; the camera looks down at the tissue between them, and
