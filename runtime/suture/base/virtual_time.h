@@ -53,10 +53,10 @@ class VirtualTime {
   /// Lets the calling thread work for that long; other threads run meanwhile.
   virtual void spend(Duration duration) = 0;
 
-  /// Called by the thread that is about to start another one; `name` shows in traces and errors.
+  /// The thread that is about to start another one calls this; `name` shows in traces and errors.
   /// Returns what the new thread passes to begin().
   virtual std::size_t announce(const std::string& name) = 0;
-  /// Called by the new thread: begin() first, and end() last.
+  /// The new thread calls these: begin() first, and end() last.
   virtual void begin(std::size_t thread) = 0;
   virtual void end() = 0;
   /// Takes an announcement back, because the thread could not be started.

@@ -22,10 +22,10 @@ class Device : public Component {
       : Component(false),
         remoteReadPeriod_(rt::positivePeriod("the reads of a device", remoteReadPeriod)) {}
 
-  /// Called by the manager: configures it if that has not been done, and lets it run. Throws
+  /// The manager calls this: configures it if that has not been done, and lets it run. Throws
   /// SetupError if it runs already.
   void start();
-  /// Called by the manager: tells clients that they have lost it. Does not wait for calls under
+  /// The manager calls this: tells clients that they have lost it. Does not wait for calls under
   /// way.
   void stop();
 

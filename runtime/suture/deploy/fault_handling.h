@@ -22,7 +22,7 @@ void prepareForFaults(const JsonDocument& document, const ProcessEntry& process,
                       std::span<const std::unique_ptr<Component>> components,
                       std::vector<std::string>& problems);
 
-/// Used by one thread. Runs the black box, and has its news and those of restarts.
+/// One thread uses it. Runs the black box, and has its news and those of restarts.
 class FaultHandling {
  public:
   /// `components` are in the order of `process`; both outlive this.

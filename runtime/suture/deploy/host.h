@@ -27,7 +27,7 @@ struct Trouble {
   std::string more{};   ///< what has been found since: "cannot be made anew: ..."; "": nothing
 };
 
-/// Used by one thread, which is no task's. Holds the components, the manager and the connections of
+/// One thread uses it, which is no task's. Holds the components, the manager and the connections of
 /// one process.
 class Host {
  public:

@@ -21,7 +21,7 @@ void giveScheduling(const JsonDocument& document, const ProcessEntry& process,
                     std::span<const std::unique_ptr<Component>> components,
                     std::vector<std::string>& problems);
 
-/// Used by one thread, before anything of the process runs. What is not granted is a warning, and
+/// One thread uses it, before anything of the process runs. What is not granted is a warning, and
 /// the process runs without it, or an error, if its file says that real time is required.
 class RealTime {
  public:

@@ -26,7 +26,7 @@ class Network;
 class Task;
 struct Security;
 
-/// Used by one thread, which is no task's. Adds components, connects their interfaces and leads
+/// One thread uses it, which is no task's. Adds components, connects their interfaces and leads
 /// them through their lives. It does not own the components; they must outlive it, or stop() comes
 /// first.
 ///

@@ -19,7 +19,7 @@ struct Holding {
   std::size_t names = 0, bytes = 0;
 };
 
-/// Used by one thread. Knows processes by name. What one record, one link, and all of them may hold
+/// One thread uses it. Knows processes by name. What one record, one link, and all of them may hold
 /// is bounded, so that no peer can fill the process that knows names.
 class Registry {
  public:

@@ -25,7 +25,7 @@ class ChannelList {
   struct Node {
     std::shared_ptr<Channel> channel;
     const ConnectedClient client;
-    /// Written by the thread that serves the channel: true while the component has been told of the
+    /// The thread that serves the channel writes it: true while the component has been told of the
     /// client, and not yet that it is gone. Until then no sweep removes the node.
     std::atomic<bool> known{false};
     std::atomic<Node*> next{nullptr};

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// Written by the control thread, readable by any.
+/// The control thread writes it, and any thread may read it.
 struct PeerState {
   /// The first is added to the peer's stamps to have them on this process's clock. The second is
   /// how wrong that was, either way, when the clocks were compared last. Both are zero if the

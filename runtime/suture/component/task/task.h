@@ -26,8 +26,8 @@ struct RestartBudget {
   Duration per{};
 };
 
-/// Written by the task's thread, readable by any. Measures a task's loop: since it exists, and over
-/// its last window.
+/// The task's thread writes it, and any may read it. Measures a task's loop: since it exists, and
+/// over its last window.
 struct TaskStatistics {
   std::atomic<std::uint64_t> cycles{0};
   std::atomic<std::uint64_t> skipped{0};  ///< periods or callbacks that passed without a cycle
@@ -45,10 +45,10 @@ struct TaskStatistics {
 /// never executed; events wait in their queues. Its thread sleeps unless something arrives.
 class Task : public Component {
  public:
-  /// Called by the manager: configures what is not configured, then cycles run; those of a faulted
+  /// The manager calls this: configures what is not configured, then cycles run; those of a faulted
   /// task only refuse commands. Throws SetupError if they cannot run, or if it runs already.
   virtual void start() = 0;
-  /// Called by the manager: returns after the handler under way, or run(); no other begins. What
+  /// The manager calls this: returns after the handler under way, or run(); no other begins. What
   /// waits is answered Errc::Lost. The derived class must still exist. Throws SetupError as
   /// refuseToStopInCycle() does.
   virtual void stop() = 0;

@@ -14,8 +14,8 @@ enum class Activity : std::uint8_t {
   Suspended,  ///< it has no cycles to run
 };
 
-/// Written by the thread that runs the task, readable by any. It is one word, so that neither waits
-/// and both halves are of one moment.
+/// The thread that runs the task writes it, and any may read it. It is one word, so that neither
+/// waits and both halves are of one moment.
 class TaskActivity {
  public:
   struct Reading {

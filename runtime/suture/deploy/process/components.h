@@ -17,7 +17,7 @@
 
 namespace suture {
 
-/// Used by one thread. Creates components, and gives them what the file says of their frames,
+/// One thread uses it. Creates components, and gives them what the file says of their frames,
 /// restarts and scheduling; starts and connects nothing.
 class ProcessComponents {
  public:
