@@ -5,7 +5,7 @@
 
 namespace robots {
 
-/// Is the code of an arm's warning or error.
+/// An ArmWarning is the code of an arm's warning or error.
 enum class ArmWarning : std::uint32_t {
   NotEnabled = 1,  ///< motion commands need an enabled arm
   OutOfReach,      ///< no joint vector reaches the goal; for a move, none within limits

@@ -14,7 +14,7 @@ namespace {
 // their order.
 constexpr std::array<const char*, 5> kActivities{"", "", "holding", "paused", ""};
 
-/// Is so long that the drives have dropped the arm's last goal meanwhile.
+/// Returns whether it is so long that the drives have dropped the arm's last goal meanwhile.
 bool isPause(suture::Time from, suture::Time to) { return to - from > StreamWatch::kSilence; }
 
 bool mayHavePower(DrivePower power) { return power == DrivePower::Off || power == DrivePower::On; }

@@ -57,7 +57,7 @@ struct ArmModel {
   std::optional<InsertionRule> insertion = {};
   /// In s: a servo goal may lie as far from the set-point as the joints can move in this time.
   double servo_horizon = 0.1;
-  /// Is the arm's own closed form, if it has one.
+  /// The arm's own closed form stands here, if it has one.
   kinematics::InverseFunction<N> inverse = kinematics::searched<N>;
 
   auto solve(const Eigen::Isometry3d& goal, const Joints& start,
@@ -151,7 +151,7 @@ class ArmController {
   void follow(const Joints& setpoint, suture::Time goalStamp, const char* activity);
   /// Does the same for a set-point that a client streams.
   void followStream(const Joints& setpoint, suture::Time goalStamp, const char* activity);
-  /// Is a set-point that a servo goal leads to.
+  /// A ServoTarget is a set-point that a servo goal leads to.
   struct ServoTarget {
     Joints q;
     bool limited;  ///< the goal itself lies beyond a joint limit

@@ -9,7 +9,7 @@
 
 namespace robots {
 
-/// Is a measurement of the jaw of a slave or the gripper of a master.
+/// A ToolReading is a measurement of the jaw of a slave or the gripper of a master.
 struct ToolReading {
   double position = 0;  ///< rad
   double velocity = 0;  ///< rad/s

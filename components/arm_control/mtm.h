@@ -24,7 +24,7 @@ struct SUTURE_TYPE() MtmParameters {
   Side side = Side::Left;
   suture::Duration period = std::chrono::milliseconds(1);
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
-  /// Is how fast the joints may speed up and slow down in a move. Nothing is published of what they
+  /// The joints may speed up and slow down this fast in a move. Nothing is published of what they
   /// can do, so this is our own. The da Vinci Research Kit's moves keep to 0.785 rad/s2, the roll's
   /// to 6.28 (mtsIntuitiveResearchKitMTM.cpp: m_trajectory_j.a_max).
   SUTURE_FIELD(unit("rad/s2"), range(0.1, 1000)) double angular_acceleration = 40;
@@ -49,8 +49,9 @@ struct SUTURE_TYPE() MtmParameters {
   SUTURE_FIELD(unit("s"), range(0, 1)) double gripper_debounce = 0.02;
 };
 
-/// Is a master tool manipulator (kinematics/davinci.h). No hand holds it: a surgeon component
-/// drives it through servo_cp, and squeezes its gripper through its drives (drives/gripper_hand.h).
+/// An Mtm is a master tool manipulator (kinematics/davinci.h). No hand holds it: a surgeon
+/// component drives it through servo_cp, and squeezes its gripper through its drives
+/// (drives/gripper_hand.h).
 class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public ArmController<7> {
  public:
   /// Throws suture::SetupError for a servo horizon in which a joint can move by its following

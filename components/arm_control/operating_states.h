@@ -15,7 +15,7 @@ namespace robots {
 
 enum class StateCommand : std::uint8_t { Enable, Disable, Pause, Resume, Home, Unhome };
 
-/// Are the names of the commands, in their order.
+/// The commands have these names, in their order.
 constexpr std::array<std::string_view, 6> kStateCommands{"enable", "disable", "pause",
                                                          "resume", "home",    "unhome"};
 

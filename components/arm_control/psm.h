@@ -20,28 +20,29 @@ namespace robots {
 
 struct SUTURE_TYPE() PsmParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Is the rate limit of the rotating joints.
+  /// The rotating joints move at this rate at most.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
-  /// Is how deep home() inserts the instrument. Cartesian control needs 0.063 m: then the wrist is
-  /// 47 mm beyond the remote centre.
+  /// home() inserts the instrument this deep. Cartesian control needs 0.063 m: then the wrist is 47
+  /// mm beyond the remote centre.
   SUTURE_FIELD(unit("m"), range(0, 0.24)) double home_insertion = 0.12;
   /// A rotating joint that trails its set-point by more than this faults the arm. One servo goal
   /// may lie 0.4 rad ahead of the set-point at these rates (servo_horizon), behind which the joints
   /// trail by rate x time constant already. Goals that run ahead of the joints by more fault the
   /// arm, though each is near the one before.
   SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
-  /// Is the rate limit of the insertion.
+  /// The insertion moves at this rate at most.
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
-  /// Is the same bound for the insertion.
+  /// The same bound holds for the insertion.
   SUTURE_FIELD(unit("m"), range(0.0001, 1)) double insertion_following_error = 0.08;
-  /// Is how fast the rotating joints may speed up and slow down in a move. Nothing is published of
+  /// The rotating joints may speed up and slow down this fast in a move. Nothing is published of
   /// what the joints can do, so this is our own, as are the two below.
   SUTURE_FIELD(unit("rad/s2"), range(0.1, 1000)) double angular_acceleration = 40;
-  /// Is the same for the insertion.
+  /// This says the same of the insertion.
   SUTURE_FIELD(unit("m/s2"), range(0.01, 100)) double insertion_acceleration = 4;
-  /// Is the same for the jaw.
+  /// This says the same of the jaw.
   SUTURE_FIELD(unit("rad/s2"), range(0.1, 10000)) double jaw_acceleration = 200;
-  /// Is the rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.
+  /// The jaw moves at this rate at most; by default at that of the da Vinci Research Kit's
+  /// teleoperation.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
   /// A joint whose encoder measures a motion of more than this many times what the joint can do
   /// faults the arm.
@@ -55,9 +56,9 @@ struct SUTURE_TYPE() PsmParameters {
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
 };
 
-/// Is a patient side manipulator with large needle driver (kinematics/davinci.h). Its base frame
-/// has its origin at the remote centre of motion. The jaw of the instrument is an interface of its
-/// own, in the same cycle.
+/// A Psm is a patient side manipulator with large needle driver (kinematics/davinci.h). Its base
+/// frame has its origin at the remote centre of motion. The jaw of the instrument is an interface
+/// of its own, in the same cycle.
 class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public ArmController<6> {
  public:
   /// Throws suture::SetupError for a servo horizon in which a joint can move by its following

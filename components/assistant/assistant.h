@@ -46,7 +46,7 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
  private:
   enum class Step : std::uint8_t { Begin, Watch, Pressed, Done };
 
-  /// Is something that may wait for the assistant.
+  /// This is something that may wait for the assistant.
   struct Waiting {
     std::optional<suture::Time> since;  // none if it does not wait
     bool lostPower = false;             // so it waits

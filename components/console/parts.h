@@ -36,7 +36,7 @@ class Hearing {
   bool counts_ = false;
 };
 
-/// Is an arm, which gets power, homes, and is disabled.
+/// An ArmPart is an arm, which gets power, homes, and is disabled.
 class ArmPart {
  public:
   explicit ArmPart(suture::Required<Arm>& arm) : arm_(arm), hearing_(arm) {
@@ -106,7 +106,7 @@ class ArmPart {
   bool wasCutOff_ = false;  // while it was enabled, and it has said nothing since
 };
 
-/// Is what moves arms: a teleoperation or a guide.
+/// A MoverPart is what moves arms: a teleoperation or a guide.
 class MoverPart {
  public:
   explicit MoverPart(suture::Required<Teleoperation>& teleoperation)

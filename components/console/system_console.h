@@ -24,10 +24,10 @@ namespace robots {
 
 struct SUTURE_TYPE() SystemConsoleParameters {
   suture::Duration period = std::chrono::milliseconds(10);
-  /// Are the parts that the system has, in the order in which they are brought up: names of
-  /// required interfaces of this console. All arms come before what moves them.
+  /// The system has these parts, and brings them up in this order: names of required interfaces of
+  /// this console. All arms come before what moves them.
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> system;
-  /// Is how long an arm may take to be enabled, all of them to home, and a part to be left.
+  /// An arm may take this long to be enabled, all of them to home, and a part to be left.
   suture::Duration patience = std::chrono::seconds(10);
   /// If it is true, the console brings the system up once, without being asked, when everything is
   /// there. It does not if an arm has homed before: then the console was restarted, and somebody
@@ -35,7 +35,8 @@ struct SUTURE_TYPE() SystemConsoleParameters {
   bool bring_up_by_itself = false;
 };
 
-/// Has four arms, two teleoperations and a guide, which are there if they are named in `system`.
+/// Requires four arms, two teleoperations and a guide, which are there if they are named in
+/// `system`.
 class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, public Console {
  public:
   /// Throws suture::SetupError for a part that this console does not know, that is named twice, for

@@ -20,7 +20,7 @@
 namespace robots {
 
 struct SUTURE_TYPE() CoordinatorParameters {
-  /// Is how often the permit is renewed, and how long a command to stop may wait.
+  /// The permit is renewed once in this period, and a command to stop may wait as long.
   suture::Duration period = std::chrono::milliseconds(1);
   /// Names the clients without which nobody could press the stop, such as "desk:Panel/Stop". One
   /// whose connection ends presses it, and it is not released before all are connected.

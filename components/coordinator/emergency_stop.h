@@ -13,7 +13,7 @@ namespace robots {
 /// receive it any more stop too.
 struct SUTURE_TYPE() Permit {
   bool granted = false;
-  /// Is the cycle in which it was renewed.
+  /// The coordinator renewed it in the cycle of this stamp.
   suture::Time stamp;
   /// Is StopNews::press of the last press.
   std::uint64_t press = 0;
@@ -23,7 +23,7 @@ struct SUTURE_TYPE() Permit {
 struct SUTURE_TYPE() StopNews {
   bool pressed = false;
   suture::Time stamp;
-  /// Is true if nobody has pressed it: the coordinator has just started, and starts pressed.
+  /// This is true if nobody has pressed it: the coordinator has just started, and starts pressed.
   bool is_start = false;
   /// Identifies the last press, and so does release(). Each press has a larger one than all before,
   /// those of a coordinator that ran before on the same machine too.
@@ -42,7 +42,7 @@ class SUTURE_INTERFACE(version(2)) EmergencyStop {
   /// somebody enables them, such as a console that brings its system up by itself.
   SUTURE_COMMAND() virtual void release(std::uint64_t press) = 0;
 
-  /// Is renewed in each cycle.
+  /// The coordinator renews the permit in each cycle.
   SUTURE_COMMAND() virtual Permit permit() const = 0;
 
   /// Reports each press and each release, and the last one to a client that connects.

@@ -6,7 +6,7 @@
 
 namespace robots {
 
-/// Immutable; only the constructors invert, and nothing allocates. Is a linear coupling of N
+/// Immutable; only the constructors invert, and nothing allocates. This is a linear coupling of N
 /// actuators with N joints, the identity by default.
 template <int N>
 class Coupling {

@@ -19,15 +19,15 @@ struct SUTURE_TYPE() RigidBodyOptions {
   bool gravity_compensation = true;
   /// If it is true, encoders read whole counts.
   bool quantisation = true;
-  /// Is the standard deviation of the noise of encoders, in counts.
+  /// The noise of encoders has this standard deviation, in counts.
   SUTURE_FIELD(range(0, 1000)) double noise = 0;
   /// Equal seeds, goals and times give equal noise.
   std::uint32_t seed = 1;
   /// If it is true, brakes hold the joints without power. The PSM and the MTM of the da Vinci
   /// Classic have none, so what their motors carried sinks then.
   bool brakes = true;
-  /// Is the share of each motor's current that sensors measure. Motors never give more than they
-  /// can, so a test must cause an over-current: a sensor that measures too much is one to the arm.
+  /// Sensors measure this share of each motor's current. Motors never give more than they can, so a
+  /// test must cause an over-current: a sensor that measures too much is one to the arm.
   SUTURE_FIELD(range(0.1, 100)) double current_gain = 1;
 };
 

@@ -19,27 +19,27 @@ enum class SUTURE_TYPE() DrivePower : std::uint8_t {
   On,        ///< the joints follow their goals
 };
 
-/// Is what the drives measure in each of their cycles. It is of actuators, in the order of the
-/// joints of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which
-/// nothing drives. coupling.h says how the actuators of an arm turn its joints; most are their
-/// joint. The actuator of a prismatic joint has m, m/s and N.
+/// A DriveFeedback is what the drives measure in each of their cycles. It is of actuators, in the
+/// order of the joints of the chain, and of the tool behind them: a slave's jaw, or a master's
+/// gripper, which nothing drives. coupling.h says how the actuators of an arm turn its joints; most
+/// are their joint. The actuator of a prismatic joint has m, m/s and N.
 struct SUTURE_TYPE() DriveFeedback {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};
   SUTURE_FIELD(unit("rad/s")) std::array<double, kMaxJoints> velocity{};
   std::uint32_t joints = 0;
   DrivePower power = DrivePower::NotReady;
-  /// Is when they were last permitted to have power. If this changes, they have stopped meanwhile,
-  /// or are other drives, which an arm may not have seen.
+  /// They were last permitted to have power at this time. If this changes, they have stopped
+  /// meanwhile, or are other drives, which an arm may not have seen.
   suture::Time permitted;
-  /// Is that of the drives' cycle.
+  /// The stamp is that of the drives' cycle.
   suture::Time stamp;
-  /// Is what the motors give, as their currents show it.
+  /// The motors give these efforts, as their currents show them.
   SUTURE_FIELD(unit("N.m")) std::array<double, kMaxJoints> effort{};
-  /// Is true if `effort` is measured. Joints that are simulated without mass need none, and have 0;
-  /// so does a simulated jaw, which has no mass whatever this says.
+  /// This is true if `effort` is measured. Joints that are simulated without mass need none, and
+  /// have 0; so does a simulated jaw, which has no mass whatever this says.
   bool measures_effort = false;
-  /// Is true if the drives obey what a goal says beside positions. Joints that are simulated
+  /// This is true if the drives obey what a goal says beside positions. Joints that are simulated
   /// without mass have no effort, so their drives follow positions only.
   bool controls_effort = false;
 };
@@ -50,11 +50,12 @@ struct SUTURE_TYPE() DriveGoal {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};
   std::uint32_t joints = 0;
-  /// Is what the motors give beside what holds the joints and carries the arm. All together is cut
-  /// to what a motor can give.
+  /// The motors give this beside what holds the joints and carries the arm. All together is cut to
+  /// what a motor can give.
   SUTURE_FIELD(unit("N.m")) std::array<double, kMaxJoints> effort{};
-  /// Has an entry for each joint of the chain, not for each actuator. A joint for which it is true
-  /// is not held: its position here has no effect. At more than its rate limit it is slowed down.
+  /// There is an entry for each joint of the chain, not for each actuator. A joint for which it is
+  /// true is not held: its position here has no effect. At more than its rate limit it is slowed
+  /// down.
   std::array<bool, kMaxJoints> released{};
   /// If it is true, the motors carry the arm's weight. It counts until the next goal, also after
   /// the stream has ended.

@@ -9,9 +9,9 @@
 
 namespace robots {
 
-/// Is one joint: d(measured)/dt = (setpoint - measured) / time_constant, cut to +-rate_limit. It is
-/// solved exactly over each interval for a constant set-point, so the result does not depend on the
-/// period: a step of 2 ms equals two steps of 1 ms.
+/// A LaggingJoint is one joint: d(measured)/dt = (setpoint - measured) / time_constant, cut to
+/// +-rate_limit. It is solved exactly over each interval for a constant set-point, so the result
+/// does not depend on the period: a step of 2 ms equals two steps of 1 ms.
 struct LaggingJoint {
   double time_constant;  ///< s, > 0
   double rate_limit;     ///< rad/s or m/s, > 0

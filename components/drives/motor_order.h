@@ -8,11 +8,11 @@ namespace robots {
 /// By default all joints are held, and the motors carry the arm's weight.
 template <int N>
 struct MotorOrder {
-  /// In N.m, or N for a prismatic joint: is added to what the motors give otherwise.
+  /// The motors give this beside what they give otherwise: in N.m, or in N for a prismatic joint.
   Eigen::Matrix<double, N, 1> effort = Eigen::Matrix<double, N, 1>::Zero();
-  /// Says which joints no set-point holds.
+  /// No set-point holds the joints for which this is true.
   Eigen::Array<bool, N, 1> released = Eigen::Array<bool, N, 1>::Constant(false);
-  bool compensation = true;  ///< of the arm's weight
+  bool compensation = true;  ///< the motors carry the arm's weight
 };
 
 }  // namespace robots

@@ -26,12 +26,12 @@ struct SUTURE_TYPE() MtmDrivesParameters {
   /// Says which of a surgeon's two masters it is, because their joints have mirrored limits.
   Side side = Side::Left;
   suture::Duration period = std::chrono::microseconds(667);
-  /// Is how far the measured joints trail their goal: here, the hand that moves the master.
+  /// The measured joints trail their goal by this time: here, the hand that moves the master.
   SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
-  /// Is how fast the joints can be.
+  /// The joints can be this fast.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
-  /// Is how old the permit of the emergency stop may be: from 1 ms to 1 s. With 0, power needs
-  /// none, as on a bench where nobody can be hurt; a stop that is connected still takes it.
+  /// The permit of the emergency stop may be this old: from 1 ms to 1 s. With 0, power needs none,
+  /// as on a bench where nobody can be hurt; a stop that is connected still takes it.
   suture::Duration permit = std::chrono::milliseconds(30);
   /// Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
   /// `time_constant` does not count.
@@ -40,7 +40,7 @@ struct SUTURE_TYPE() MtmDrivesParameters {
   RigidBodyOptions rigid_body{};
 };
 
-/// Are the drives of a master tool manipulator, and the surgeon's hand on its gripper.
+/// MtmDrives are the drives of a master tool manipulator, and the surgeon's hand on its gripper.
 class SUTURE_COMPONENT() MtmDrives final : public suture::PeriodicTask, public SimulatedDrives<8> {
  public:
   explicit MtmDrives(const MtmDrivesParameters& parameters);

@@ -19,16 +19,16 @@ namespace robots {
 
 struct SUTURE_TYPE() PsmDrivesParameters {
   suture::Duration period = std::chrono::microseconds(667);
-  /// Is how far the measured joints trail their goal.
+  /// The measured joints trail their goal by this time.
   SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
-  /// Is how fast the rotating joints can be.
+  /// The rotating joints can be this fast.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
-  /// Is how fast the insertion can be.
+  /// The insertion can be this fast.
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
-  /// Is how fast the jaw can be; by default that of the da Vinci Research Kit's teleoperation.
+  /// The jaw can be this fast; by default as in the da Vinci Research Kit's teleoperation.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
-  /// Is how old the permit of the emergency stop may be: from 1 ms to 1 s. With 0, power needs
-  /// none, as on a bench where nobody can be hurt; a stop that is connected still takes it.
+  /// The permit of the emergency stop may be this old: from 1 ms to 1 s. With 0, power needs none,
+  /// as on a bench where nobody can be hurt; a stop that is connected still takes it.
   suture::Duration permit = std::chrono::milliseconds(30);
   /// Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
   /// `time_constant` does not count.
@@ -37,8 +37,8 @@ struct SUTURE_TYPE() PsmDrivesParameters {
   RigidBodyOptions rigid_body{};
 };
 
-/// Are the drives of a patient side manipulator. The instrument is in the patient from the start,
-/// because the cannula is not simulated.
+/// PsmDrives are the drives of a patient side manipulator. The instrument is in the patient from
+/// the start, because the cannula is not simulated.
 class SUTURE_COMPONENT() PsmDrives final : public suture::PeriodicTask, public SimulatedDrives<7> {
  public:
   explicit PsmDrives(const PsmDrivesParameters& parameters);

@@ -5,7 +5,7 @@
 
 namespace robots {
 
-/// Is a value of its task's thread; never allocates. Divides the difference of two positions by the
+/// Belongs to its task's thread; never allocates. Divides the difference of two positions by the
 /// time between them, and passes it through a low-pass filter of first order, because a step of one
 /// encoder count alone would be a large velocity. So the result is late by the time constant.
 template <int N>

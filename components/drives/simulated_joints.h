@@ -7,8 +7,8 @@
 
 namespace robots {
 
-/// One thread; no method allocates. Is N joints and what drives each of them. Vectors are in rad,
-/// or m for a prismatic joint.
+/// One thread; no method allocates. SimulatedJoints are N joints and what drives each of them.
+/// Vectors are in rad, or m for a prismatic joint.
 template <int N>
 class SimulatedJoints {
  public:
@@ -16,8 +16,8 @@ class SimulatedJoints {
 
   virtual ~SimulatedJoints() = default;
 
-  /// Is how much time passes in one cycle at most, in s, because drives that are late must not move
-  /// their joints as far as the time that they missed would.
+  /// At most this time passes in one cycle, in s, because drives that are late must not move their
+  /// joints as far as the time that they missed would.
   static constexpr double kLongestStep = 0.01;
 
   /// Lets `dt` seconds pass, from 0 to kLongestStep.

@@ -9,7 +9,7 @@
 
 namespace robots::dynamics {
 
-/// Is what pulls an arm whose base frame has z upwards, in m/s^2.
+/// Gravity accelerates masses by this, in m/s^2, where the z of the base frame points upwards.
 inline const Eigen::Vector3d kEarthGravity{0, 0, -9.80665};
 
 /// Any thread, because it is immutable; no method allocates. The equation is effort = inertia(q) *

@@ -18,7 +18,8 @@ struct LinkInertia {
   double rotor;  ///< kg.m^2, or kg for a prismatic joint: what the motor adds, seen from the joint
 };
 
-/// Is a LinkInertia, or several that do not move against each other, about the origin of a frame.
+/// A BodyInertia is a LinkInertia, or several that do not move against each other, about the origin
+/// of a frame.
 struct BodyInertia {
   double mass = 0;                                         ///< kg
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();        ///< kg.m: mass by centre of mass

@@ -5,11 +5,12 @@
 
 namespace robots {
 
-/// One thread; never allocates. Is the time-domain passivity observer (Hannaford and Ryu,
-/// "Time-domain passivity control of haptic interfaces", 2002) of the port at which a hand holds a
-/// master, along each axis by itself. Motors hold their force from one cycle to the next, so the
-/// work of a force is that force times the way in between, without an error (Stramigioli et al.,
-/// "Sampled data systems passivity and discrete port-Hamiltonian systems", 2005).
+/// One thread; never allocates. A PassivityObserver is the time-domain passivity observer
+/// (Hannaford and Ryu, "Time-domain passivity control of haptic interfaces", 2002) of the port at
+/// which a hand holds a master, along each axis by itself. Motors hold their force from one cycle
+/// to the next, so the work of a force is that force times the way in between, without an error
+/// (Stramigioli et al., "Sampled data systems passivity and discrete port-Hamiltonian systems",
+/// 2005).
 ///
 /// Positions are in m in one frame, forces in N along its axes.
 class PassivityObserver {
@@ -40,11 +41,11 @@ class PassivityObserver {
                   energy_ = Eigen::Vector3d::Zero();
 };
 
-/// Is the passivity controller of the same paper, in series with the feedback. `force` is about to
-/// push a hand that moves with `velocity` (m/s) for `dt` seconds (> 0). Returns that force and as
-/// much damping as takes what `energy` would lack after that, along each axis by itself. It brakes
-/// a hand by no more than `most`, in N.s/m, because more than the moving mass divided by dt would
-/// throw the hand back; what then still lacks is left to the next cycle.
+/// Acts as the passivity controller of the same paper, in series with the feedback. `force` is
+/// about to push a hand that moves with `velocity` (m/s) for `dt` seconds (> 0). Returns that force
+/// and as much damping as takes what `energy` would lack after that, along each axis by itself. It
+/// brakes a hand by no more than `most`, in N.s/m, because more than the moving mass divided by dt
+/// would throw the hand back; what then still lacks is left to the next cycle.
 Eigen::Vector3d damped(const Eigen::Vector3d& force, const Eigen::Vector3d& velocity,
                        const Eigen::Vector3d& energy, double most, double dt);
 

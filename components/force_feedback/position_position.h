@@ -35,9 +35,9 @@ struct PositionPositionModel {
   double mass = 0.9;       ///< kg: of the least that moves with the hand
 };
 
-/// One thread; only the constructor throws, nothing allocates. Is the master's half of the
-/// coupling, with the passivity observer and controller at the hand. A delay makes the coupling
-/// active, because the slave pulls at the hand from where it was.
+/// One thread; only the constructor throws, nothing allocates. A PositionPosition is the master's
+/// half of the coupling, with the passivity observer and controller at the hand. A delay makes the
+/// coupling active, because the slave pulls at the hand from where it was.
 class PositionPosition {
  public:
   /// Throws std::invalid_argument unless all numbers of the model are finite and not negative.

@@ -21,15 +21,16 @@ enum class SUTURE_TYPE() GuidanceState : std::uint8_t {
 };
 
 struct SUTURE_TYPE() GuidanceProgress {
-  /// Is where the knot is by the last sighting and by what the tips have moved since, in the scene.
+  /// The knot is here by the last sighting and by what the tips have moved since, in the scene.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d knot = Eigen::Vector3d::Zero();
-  /// Is the distance along the line of approach; it is below zero behind the target.
+  /// The knot has this distance to go along the line of approach; it is below zero behind the
+  /// target.
   SUTURE_FIELD(unit("m")) double distance_to_target = 0;
-  /// Is the distance from the line of approach.
+  /// The knot has this distance from the line of approach.
   SUTURE_FIELD(unit("m")) double lateral_error = 0;
-  /// Is that of the guide's cycle.
+  /// The stamp is that of the guide's cycle.
   suture::Time stamp;
-  /// Is false unless the knot has been seen lately.
+  /// This is false unless the knot has been seen lately.
   bool valid = false;
 };
 
@@ -46,7 +47,7 @@ class SUTURE_INTERFACE() Guidance {
   SUTURE_COMMAND() virtual void disable() = 0;
 
   SUTURE_COMMAND() virtual GuidanceState guidance_state() const = 0;
-  /// Is updated even while the guide waits for something, as far as the knot has been seen.
+  /// The guide updates this even while it waits for something, as far as the knot has been seen.
   SUTURE_COMMAND() virtual const GuidanceProgress& progress() const = 0;
 
   /// Reports each change, and the last one to a client that connects.

@@ -10,8 +10,8 @@
 
 namespace robots {
 
-/// Is the number of joints of the arms whose joints are looked at: nobody but an arm itself knows
-/// how it shares a step among more.
+/// Only arms of this many joints have their joints looked at: nobody but an arm itself knows how it
+/// shares a step among more.
 constexpr int kTipJoints = 6;
 using TipJoints = Eigen::Matrix<double, kTipJoints, 1>;
 
@@ -41,7 +41,7 @@ double turnShare(const JointBounds& bounds, const JointState& setpoint, const Ja
 /// Says how the next step of a tip moves the joints of its arm, and how far they may go in it. One
 /// that is made without bounds forbids nothing.
 struct JointRoom {
-  /// Is how far each joint goes for each m of the tip along the axes of the scene.
+  /// Each joint goes this far for each m of the tip along the axes of the scene.
   Eigen::Matrix<double, kTipJoints, 3> motion = Eigen::Matrix<double, kTipJoints, 3>::Zero();
   TipJoints least = TipJoints::Constant(-std::numeric_limits<double>::infinity());
   TipJoints most = TipJoints::Constant(std::numeric_limits<double>::infinity());

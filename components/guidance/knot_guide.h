@@ -31,11 +31,11 @@ namespace robots {
 
 struct SUTURE_TYPE() GuideParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Is how many metres a slave moves for each metre of its master.
+  /// A slave moves this many metres for each metre of its master.
   SUTURE_FIELD(range(0.01, 10)) double scale = 0.4;
   /// If an arm's data are older than this, both slaves hold.
   suture::Duration max_age = std::chrono::milliseconds(20);
-  /// Is the same bound for what the cameras saw: some three images.
+  /// What the cameras saw has the same kind of bound: some three images.
   suture::Duration sighting_age = std::chrono::milliseconds(250);
   /// Guiding does not begin with a registration that was renewed longer ago than this, and a
   /// sighting does not count if its camera was registered that long before it. Guiding goes on with
@@ -50,20 +50,20 @@ struct SUTURE_TYPE() GuideParameters {
   suture::Duration preparation_limit = std::chrono::seconds(60);
   /// If it is false, the slaves follow their masters wherever the knot is.
   bool fixtures = true;
-  /// Is where the knot shall be, in the scene.
+  /// The knot shall come here, in the scene.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d target{0, 0, -0.15};
-  /// Is the direction in which it shall come there, of any length but zero.
+  /// It shall come there in this direction, of any length but zero.
   Eigen::Vector3d approach{0, 0, -1};
-  /// Are the radius of the corridor at the target, and by how much it widens before that.
+  /// The corridor has this radius at the target, and widens by this slope before that.
   SUTURE_FIELD(unit("m"), range(0.0001, 0.1)) double radius = 0.0003;
   SUTURE_FIELD(range(0, 1)) double slope = 0.3;
-  /// Is how fast a tip may move along each axis.
+  /// A tip may move this fast along each axis.
   SUTURE_FIELD(unit("m/s"), range(0.001, 1)) double speed = 0.1;
-  /// Is how near the tips may come to each other.
+  /// The tips may come this near to each other.
   SUTURE_FIELD(unit("m"), range(0, 0.1)) double separation = 0.01;
-  /// Is the coefficient of friction of strand on strand, by which the knot holds.
+  /// Strand on strand has this coefficient of friction, by which the knot holds.
   SUTURE_FIELD(range(0, 1)) double friction = 0.15;
-  /// Is how far the strand winds about itself in the knot.
+  /// The strand winds about itself by this angle in the knot.
   SUTURE_FIELD(unit("rad"), range(0, 100)) double wrap = 9.42;
 };
 
@@ -95,7 +95,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   void onFault() override;
 
  private:
-  /// Is one master, the slave that it drives, and how it does so.
+  /// A Side is one master, the slave that it drives, and how it does so.
   struct Side {
     Side(KnotGuide& guide, const char* masterName, const char* slaveName);
 

@@ -35,7 +35,7 @@ class QuadraticProgram {
   using Rows = Eigen::Matrix<double, M, N>;
   using Bounds = Eigen::Matrix<double, M, 1>;
 
-  /// Is far more than random problems of this kind need, which is about as many as rows are active.
+  /// Random problems of this kind need far fewer: about as many as rows are active.
   static constexpr int kIterations = 4 * (N + M);
   /// A row that is violated by no more than this counts as met. The rows of C must be of about
   /// length one.
@@ -138,7 +138,7 @@ class QuadraticProgram {
     return SolveStatus::IterationLimit;
   }
 
-  /// Is a normal as the sum of what is orthogonal to all active normals, and a combination of
+  /// A normal is given as the sum of what is orthogonal to all active normals, and a combination of
   /// basis_.
   struct Parts {
     Vector free;

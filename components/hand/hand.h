@@ -19,9 +19,9 @@ struct HandModel {
 /// One thread; only the constructor throws, nothing allocates. Equal models, targets, forces and
 /// times give equal motion.
 ///
-/// Is a mass on a spring and a damper, whose other ends are where the muscles want the hand; it is
-/// alike along all axes. Three forces act on it: that of the muscles, the one that the master puts
-/// on it, and the one that makes it shake as its tremor says while it holds nothing.
+/// A Hand is a mass on a spring and a damper, whose other ends are where the muscles want the hand;
+/// it is alike along all axes. Three forces act on it: that of the muscles, the one that the master
+/// puts on it, and the one that makes it shake as its tremor says while it holds nothing.
 ///
 /// It is integrated by the implicit midpoint rule, which is stable for any step and conserves
 /// energy: over a step mass and spring change by exactly the work of the forces. Lengths are in m

@@ -9,16 +9,16 @@
 namespace robots {
 
 struct TremorModel {
-  /// In m: is the root mean square of the distance from where the hand shall be. Published values
+  /// In m: the distance from where the hand shall be has this root mean square. Published values
   /// are 50 to 200 um (Wells et al., "Comparison of baseline tremor under various microsurgical
   /// conditions", 2013, PMC3989364).
   double amplitude = 1e-4;
   std::uint32_t seed = 1;
 };
 
-/// Immutable; no method allocates. Is physiological tremor: 8 to 12 Hz (the same source), along
-/// each axis by itself. It is a sum of sines, whose frequencies and phases the seed chooses, so it
-/// has no power outside of that band and equal seeds give equal tremor.
+/// Immutable; no method allocates. A Tremor is physiological tremor: 8 to 12 Hz (the same source),
+/// along each axis by itself. It is a sum of sines, whose frequencies and phases the seed chooses,
+/// so it has no power outside of that band and equal seeds give equal tremor.
 class Tremor {
  public:
   static constexpr double kLowest = 8, kHighest = 12;  // Hz

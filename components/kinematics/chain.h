@@ -17,8 +17,8 @@ enum class Convention { Standard, Modified };
 
 enum class JointKind { Revolute, Prismatic };
 
-/// Is one row of a DH table. The joint value is added to `offset`: theta of a revolute joint (rad),
-/// d of a prismatic one (m). Limits are of the joint value, so without the offset.
+/// A Link is one row of a DH table. The joint value is added to `offset`: theta of a revolute joint
+/// (rad), d of a prismatic one (m). Limits are of the joint value, so without the offset.
 struct Link {
   double alpha;   ///< rad
   double a;       ///< m
@@ -29,8 +29,8 @@ struct Link {
   JointKind kind = JointKind::Revolute;
 };
 
-/// Any thread, because it is immutable; no method allocates. Has N joints from base to tip. Joint
-/// vectors have N entries, rad for revolute and m for prismatic joints.
+/// Any thread, because it is immutable; no method allocates. A Chain has N joints from base to tip.
+/// Joint vectors have N entries, rad for revolute and m for prismatic joints.
 template <int N>
 class Chain {
  public:

@@ -25,16 +25,16 @@ Chain<7> mtmRight();
 /// any limit.
 Chain<7>::Joints mtmHome();
 
-/// Is the range of one joint, in rad.
+/// An AngleRange is the range of one joint, in rad.
 struct AngleRange {
   double lower, upper;
 };
 
-/// Is the range of the jaw of the large needle driver: the angle between its blades, which press on
+/// The jaw of the large needle driver has this range: the angle between its blades, which press on
 /// each other below 0.
 constexpr AngleRange kPsmJaw{-0.698132, 1.39626};
 
-/// Is the range of the gripper of a master: the angle between its handles. Published is 0 to 60
+/// The gripper of a master has this range: the angle between its handles. Published is 0 to 60
 /// degrees (mtsIntuitiveResearchKitMTM.cpp: m_gripper_configuration_js); that it can be squeezed
 /// harder, to less than 0, is our own.
 constexpr AngleRange kMtmGripper{-0.2, 1.0471976};

@@ -11,9 +11,9 @@ struct InverseOptions {
   double orientation_tolerance = 1e-9;  ///< rad
 };
 
-/// Is the answer of `inverse`. It is within the joint limits even if the goal was not found: then
-/// it is the nearest that was reached, where 0.1 m of position weigh as much as 1 rad of
-/// orientation.
+/// An InverseResult is the answer of `inverse`. It is within the joint limits even if the goal was
+/// not found: then it is the nearest that was reached, where 0.1 m of position weigh as much as 1
+/// rad of orientation.
 template <int N>
 struct InverseSolution {
   typename Chain<N>::Joints q;
@@ -21,9 +21,9 @@ struct InverseSolution {
   double orientation_error = 0;  ///< rad
   int iterations = 0;
   bool found = false;  ///< both errors are within tolerance
-  /// Is true if only the joint limits keep the arm from the goal, and `q` is the nearest that is
-  /// within them. If the goal is neither found nor limited, no joint vector that the search finds
-  /// reaches it.
+  /// This is true if only the joint limits keep the arm from the goal, and `q` is the nearest that
+  /// is within them. If the goal is neither found nor limited, no joint vector that the search
+  /// finds reaches it.
   bool limited = false;
 };
 
@@ -47,13 +47,13 @@ enum class Postures {
   Near,
 };
 
-/// Is how an arm solves its inverse kinematics: by a closed form, or by the search above.
+/// An arm solves its inverse kinematics by such a function: a closed form, or the search above.
 template <int N>
 using InverseFunction = InverseSolution<N> (*)(const Chain<N>& chain, const Eigen::Isometry3d& goal,
                                                const typename Chain<N>::Joints& start,
                                                Postures postures);
 
-/// Is the search as such a function. It goes downhill from its start, whatever `postures` says.
+/// Searches as `inverse` does. It goes downhill from its start, whatever `postures` says.
 template <int N>
 InverseSolution<N> searched(const Chain<N>& chain, const Eigen::Isometry3d& goal,
                             const typename Chain<N>::Joints& start, Postures /*postures*/) {

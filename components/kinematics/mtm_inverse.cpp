@@ -22,8 +22,8 @@ double yawToward(const Vector3d& wrist, double otherwise) {
   return std::atan2(wrist.y(), wrist.x()) + kHalfPi;
 }
 
-// Is the triangle of the upper arm, the line from the elbow to the wrist's centre, and the line
-// between their ends.
+// A Reach is the triangle of the upper arm, the line from the elbow to the wrist's centre, and the
+// line between their ends.
 struct Reach {
   double forearm = std::hypot(kMtmForearm, kMtmForearmDrop);  // m
   double bend;  // cosine of the outer angle between the upper arm and the forearm

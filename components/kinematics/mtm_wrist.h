@@ -29,7 +29,7 @@ class MtmWrist {
   std::optional<Joints> nearest() const;
 
  private:
-  /// Is a range of platform angles.
+  /// This is a range of platform angles.
   struct Range {
     double lower, upper;
   };

@@ -14,7 +14,7 @@ namespace {
 // small (rad or m) the next would change nothing.
 constexpr double kLastStep = 1e-7;
 
-// Is where the search stands.
+// The search stands here.
 template <int N>
 struct Standpoint {
   typename Chain<N>::Joints q;

@@ -26,8 +26,8 @@ Vector3d directionAcross(const Vector3d& axis, const Vector3d& wanted, const Vec
   return across(axis, direction.normalized()).normalized();
 }
 
-// Has the instrument as the goal places it in the base. The tip's frame has x against the axis of
-// the wrist yaw, and y against x of that joint's frame (davinci.cpp).
+// The goal places the instrument so in the base. The tip's frame has x against the axis of the
+// wrist yaw, and y against x of that joint's frame (davinci.cpp).
 struct Instrument {
   Vector3d tip;
   Vector3d yawAxis;  // of the wrist
@@ -37,7 +37,7 @@ struct Instrument {
       : tip(goal.translation()), yawAxis(-goal.linear().col(0)), jaws(-goal.linear().col(1)) {}
 };
 
-// Is the link between the two axes of the wrist.
+// This is the link between the two axes of the wrist.
 struct Wrist {
   Vector3d link;       // unit vector from the axis of the wrist pitch to that of the wrist yaw
   Vector3d pitchAxis;  // unit vector across the link and the yaw axis

@@ -11,7 +11,7 @@
 
 namespace robots {
 
-/// Is how long a component may be asked to wait, or something to last.
+/// A component may be asked to wait, or something to last, for a time within this range.
 struct TimeRange {
   suture::Duration shortest = std::chrono::milliseconds(1);
   suture::Duration longest = std::chrono::hours(24);

@@ -15,7 +15,7 @@ struct SUTURE_TYPE() PedalState {
   bool camera = false;
   /// If it is true, energy is applied to the tissue.
   bool coagulation = false;
-  /// Is the cycle in which they were looked at.
+  /// The stamp is that of the cycle in which they were looked at.
   suture::Time stamp;
 };
 

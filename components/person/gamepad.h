@@ -25,8 +25,8 @@ namespace robots {
 
 struct SUTURE_TYPE() GamepadParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Is an input device, or a FIFO of its events. A name below /dev/input/by-id stays the same when
-  /// others are plugged in.
+  /// The file is an input device, or a FIFO of its events. A name below /dev/input/by-id stays the
+  /// same when others are plugged in.
   SUTURE_FIELD(capacity(255)) std::string file = "/dev/input/event0";
   AxisRange stick{.lowest = -32768, .highest = 32767};
   AxisRange trigger{.lowest = 0, .highest = 255};

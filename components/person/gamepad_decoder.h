@@ -18,7 +18,8 @@ struct GamepadCalibration {
   double dead_zone = 0.15;
 };
 
-/// Is the state of sticks and buttons. Axes go from -1 to 1; forward, right and up are positive.
+/// A GamepadState is the state of sticks and buttons. Axes go from -1 to 1; forward, right and up
+/// are positive.
 struct GamepadState {
   Eigen::Vector3d push = Eigen::Vector3d::Zero();
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();

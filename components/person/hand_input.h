@@ -10,7 +10,8 @@ namespace robots {
 struct HandInput {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< m/s
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s
-  /// Is how far the gripper shall be open, from 0 to 1; none until the person has said so.
+  /// The gripper shall be open this far, from 0 to 1; there is no value until the person has said
+  /// so.
   std::optional<double> opening;
 
   bool isAtRest() const { return velocity.isZero(0) && angular_velocity.isZero(0); }

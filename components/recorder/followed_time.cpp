@@ -10,9 +10,9 @@ namespace {
 
 using suture::Time;
 
-// Is the longest time without a record in which a slave may be thought to have followed.
+// A slave may be thought to have followed for at most this time without a record.
 constexpr auto kLongestSilence = std::chrono::milliseconds(50);
-// Is how long a slave may need until it follows again: arms get power and home, masters turn.
+// A slave may need this long until it follows again: arms get power and home, masters turn.
 constexpr auto kRecovery = std::chrono::seconds(3);
 
 double lengthOf(const Span& span) { return secondsBetween(span.begin, span.end); }

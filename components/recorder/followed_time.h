@@ -10,17 +10,17 @@
 
 namespace robots {
 
-/// Is a part of a run, from its begin until its end.
+/// A Span is a part of a run, from its begin until its end.
 struct Span {
   suture::Time begin, end;
 };
 
 /// Says in which part of a run a slave had to follow.
 struct Duty {
-  /// Is when the run ended; if there is none, the recordings say so.
+  /// The run ended at this time; without it, the recordings say when.
   std::optional<suture::Time> end = {};
-  /// Are the parts in which it need not follow, in any order. Each is longer by what the slave then
-  /// needs until it follows again, but by no more than three seconds.
+  /// It need not follow in these parts, in any order. Each is longer by what the slave then needs
+  /// until it follows again, but by no more than three seconds.
   std::vector<Span> excused = {};
 };
 
@@ -29,11 +29,11 @@ std::vector<Span> clutched(const std::vector<ClutchNews>& news, suture::Time end
 
 struct FollowedShare {
   double share = 0;  ///< of the time in which it had to follow, since it first did
-  /// Are when the longest part in which it did not follow began and ended, in s since it first did.
+  /// The longest part in which it did not follow began and ended here, in s since it first did.
   double missing_from = 0, missing_until = 0;
 };
 
-/// Is told of a slave's cycles one after the other.
+/// Hears of a slave's cycles one after the other.
 class FollowedTime {
  public:
   /// Tells of a cycle, by ascending stamp. What nobody recorded for 50 ms was not followed.

@@ -13,16 +13,16 @@
 namespace robots {
 
 struct HoldJudgement {
-  /// In s: is the time from its last motion before the break until the break; none if it never
+  /// In s: its last motion before the break was this long before the break; none if it never
   /// moved before.
   std::optional<double> rested_before;
   double held_after = 0;  ///< s from the break until the set-point moved for the last time
-  /// In s: is the time from the mending until it moved again while it was enabled; none if it did
+  /// In s: it moved again, while it was enabled, this long after the mending; none if it did
   /// not.
   std::optional<double> resumed_after;
   bool enabled_at_end = true;  ///< it would have obeyed
-  /// Are, since the break, by how much the set-point moved farther within 50 ms, or less, than a
-  /// fast hand does, in m, and by how much it turned farther, in rad.
+  /// Since the break, the set-point moved farther by this within 50 ms, or less, than a fast hand
+  /// does, in m, and turned farther by this, in rad.
   double largest_jump = 0;
   double largest_turn = 0;
 };

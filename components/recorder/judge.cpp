@@ -15,11 +15,11 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using suture::Time;
 
-// Is the shortest gap in the master's recording that interpolation must not bridge.
+// Interpolation bridges no longer gap than this in the master's recording.
 constexpr double kLongestGap = 0.05;  // s
-// Is how much later than the row of its stamp a record may be written.
+// A record may be written this much later than the row of its stamp.
 constexpr auto kPatience = std::chrono::milliseconds(200);
-// Is for how long a slave that gets no new goal is still thought to follow.
+// A slave that gets no new goal is still thought to follow for this long.
 constexpr auto kLongestWithoutGoal = std::chrono::milliseconds(50);
 // The law's speed is measured over twice this; over one cycle it would be the noise of the
 // encoders.

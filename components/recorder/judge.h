@@ -31,10 +31,10 @@ struct Judgement {
   std::size_t unmatched = 0;
 };
 
-/// Is how a slave's drives trail its set-points by their own declaration, in s.
+/// A DeclaredLag is how a slave's drives trail its set-points by their own declaration, in s.
 struct DeclaredLag {
   double time_constant = 0;  ///< 0: they go to each set-point at once
-  /// Is the time from the measurement in a row until the set-point of that row acts. It is the
+  /// This time passes from the measurement in a row until the set-point of that row acts. It is the
   /// period of drives that measure, and are told their next goal, once a cycle.
   double delay = 0;
 };
@@ -72,7 +72,7 @@ class Judge {
     Eigen::Quaterniond q;
   };
 
-  /// Is a target and since when it acts.
+  /// This is a target and since when it acts.
   struct Acting {
     suture::Time since, stamp;  // stamp: of the master's pose from which it is computed
     Pose target;

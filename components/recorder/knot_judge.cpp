@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using Rows = std::vector<KnotRow>;
 
-// In m: is the bound on the distance of the knot from its target, and of a sighting from the truth.
+// In m: the knot may be this far from its target, and a sighting from the truth.
 constexpr double kFarthest = 0.001;
 constexpr double kLeastWay = 0.01;  // m
 // Cameras may lose the knot for moments, but not for long.

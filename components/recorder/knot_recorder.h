@@ -21,7 +21,7 @@ namespace robots {
 
 struct SUTURE_TYPE() KnotRecorderParameters {
   suture::Duration period = std::chrono::milliseconds(20);
-  /// Is the file, with one JSON line for each row. It is replaced at the start.
+  /// The file gets one JSON line for each row. It is replaced at the start.
   SUTURE_FIELD(capacity(255)) std::string file = "knot.jsonl";
 };
 

@@ -13,7 +13,7 @@
 
 namespace robots {
 
-/// Is one moment. The truth is in the scene's frame, the sighting in the camera's.
+/// A KnotRow is one moment. The truth is in the scene's frame, the sighting in the camera's.
 struct KnotRow {
   StrandState strand;
   Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();  ///< in the scene

@@ -22,7 +22,7 @@ namespace robots {
 struct SUTURE_TYPE() RecorderParameters {
   /// Must be at least as fast as the arm, or cycles are missed.
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Is the file, with one JSON line for each record. It is replaced at the start.
+  /// The file gets one JSON line for each record. It is replaced at the start.
   SUTURE_FIELD(capacity(255)) std::string file = "recording.jsonl";
 };
 

@@ -18,7 +18,7 @@
 
 namespace robots {
 
-/// Is one cycle of an arm, in its base frame, in m.
+/// An ArmRow is one cycle of an arm, in its base frame, in m.
 struct ArmRow {
   suture::Time stamp;  ///< of the measured pose: the arm's cycle
   Eigen::Isometry3d measured = Eigen::Isometry3d::Identity();

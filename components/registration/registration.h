@@ -13,13 +13,13 @@ namespace robots {
 struct SUTURE_TYPE() SceneFrames {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d left_base = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d right_base = Eigen::Isometry3d::Identity();
-  /// Is the left camera: x to the right and y downward in the image, z ahead.
+  /// The left camera is here, with x to the right and y downward in the image, z ahead.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();
-  /// Is the z of the tissue's surface.
+  /// The tissue's surface has this z.
   SUTURE_FIELD(unit("m")) double tissue = -0.16;
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d left_master = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d right_master = Eigen::Isometry3d::Identity();
-  /// Is the picture that the surgeon looks at, with the axes of the camera: x to the right and y
+  /// The surgeon looks at a picture here, with the axes of the camera: x to the right and y
   /// downward in it, z ahead.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d display = Eigen::Isometry3d::Identity();
 };
@@ -29,7 +29,7 @@ class SUTURE_INTERFACE() Registration {
  public:
   virtual ~Registration() = default;
 
-  /// Are the frames as they were registered last; each rotation is one to 1e-6. Ask with
+  /// Returns the frames as they were registered last; each rotation is one to 1e-6. Ask with
   /// `frames.at(stamp)` for those to which an image or a pose of that stamp belongs.
   SUTURE_COMMAND() virtual const SceneFrames& frames() const = 0;
 

@@ -13,7 +13,8 @@
 
 namespace robots {
 
-/// Is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's prmVelocityCartesianGet.
+/// A Twist is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's
+/// prmVelocityCartesianGet.
 struct SUTURE_TYPE() Twist {
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular = Eigen::Vector3d::Zero();
@@ -24,7 +25,8 @@ struct SUTURE_TYPE() Twist {
   bool valid = false;
 };
 
-/// Is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's prmVelocityCartesianSet.
+/// A TwistGoal is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's
+/// prmVelocityCartesianSet.
 struct SUTURE_TYPE() TwistGoal {
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular = Eigen::Vector3d::Zero();
@@ -35,8 +37,8 @@ struct SUTURE_TYPE() TwistGoal {
   suture::Time stamp;
 };
 
-/// Is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to cisst's
-/// prmForceCartesianGet.
+/// A Wrench is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to
+/// cisst's prmForceCartesianGet.
 struct SUTURE_TYPE() Wrench {
   SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
@@ -49,7 +51,8 @@ struct SUTURE_TYPE() Wrench {
   bool valid = false;
 };
 
-/// Is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's prmForceCartesianSet.
+/// A WrenchGoal is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's
+/// prmForceCartesianSet.
 struct SUTURE_TYPE() WrenchGoal {
   SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
@@ -58,8 +61,8 @@ struct SUTURE_TYPE() WrenchGoal {
   suture::Time stamp;
 };
 
-/// Is pose, velocity and force of one instant, as CRTK's measured_cs says it. Corresponds to
-/// cisst's prmStateCartesian.
+/// A CartesianState is pose, velocity and force of one instant, as CRTK's measured_cs says it.
+/// Corresponds to cisst's prmStateCartesian.
 struct SUTURE_TYPE() CartesianState {
   suture::FrameId moving_frame = 0;
   suture::FrameId reference_frame = 0;
@@ -74,7 +77,8 @@ struct SUTURE_TYPE() CartesianState {
   suture::Time stamp;
 };
 
-/// Is a pose to reach, and how to get there. Corresponds to cisst's prmPositionCartesianSet.
+/// A CartesianGoal is a pose to reach, and how to get there. Corresponds to cisst's
+/// prmPositionCartesianSet.
 struct SUTURE_TYPE() CartesianGoal {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d goal = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
@@ -101,17 +105,17 @@ enum class SUTURE_TYPE() ServoMode : std::uint8_t {
   All = 7,
 };
 
-/// Has position, velocity and effort in one servo command. Corresponds to cisst's
+/// A ServoCartesian has position, velocity and effort in one servo command. Corresponds to cisst's
 /// prmServoCartesian.
 struct SUTURE_TYPE() ServoCartesian {
-  /// Is the frame, in the base frame, whose axes are used below.
+  /// The values below are along the axes of this frame, which is given in the base frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d position = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
-  /// Are the modes of x, y, z and the rotations about them, in this order.
+  /// The modes are those of x, y, z and the rotations about them, in this order.
   std::array<ServoMode, 6> axis_mode{};
   suture::Time stamp;
 };
@@ -125,7 +129,7 @@ struct SUTURE_TYPE() HalfPlaneGains {
   SUTURE_FIELD(unit("m")) Eigen::Vector3d deadband = Eigen::Vector3d::Zero();
 };
 
-/// Is the same about an axis.
+/// These gains hold about an axis in the same way.
 struct SUTURE_TYPE() AngularHalfPlaneGains {
   SUTURE_FIELD(unit("N.m/rad")) Eigen::Vector3d p = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m.s/rad")) Eigen::Vector3d d = Eigen::Vector3d::Zero();
@@ -133,12 +137,12 @@ struct SUTURE_TYPE() AngularHalfPlaneGains {
   SUTURE_FIELD(unit("rad")) Eigen::Vector3d deadband = Eigen::Vector3d::Zero();
 };
 
-/// Is a spring that holds the tool tip, per axis and side. Corresponds to cisst's
-/// prmCartesianImpedance.
+/// A CartesianImpedance is a spring that holds the tool tip, per axis and side. Corresponds to
+/// cisst's prmCartesianImpedance.
 struct SUTURE_TYPE() CartesianImpedance {
   /// Holds the axes along which the forces act.
   Eigen::Matrix3d force_orientation = Eigen::Matrix3d::Identity();
-  /// Is where the springs rest.
+  /// The springs rest here.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d force_position = Eigen::Vector3d::Zero();
   /// Holds the axes about which the torques act.
   Eigen::Matrix3d torque_orientation = Eigen::Matrix3d::Identity();

@@ -25,11 +25,11 @@ struct SUTURE_TYPE() JointPosition {
 /// Corresponds to cisst's prmPositionJointSet.
 struct SUTURE_TYPE() JointPositionGoal {
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> goal;
-  /// Is optional.
+  /// The list may be empty.
   SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity;
-  /// Is optional.
+  /// The list may be empty.
   SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> acceleration;
-  /// Has no limit if it is 0.
+  /// There is no limit if it is 0.
   suture::Duration time_limit{0};
   /// If it is true, all joints arrive together.
   bool is_coordinated = true;
@@ -43,24 +43,24 @@ struct SUTURE_TYPE() JointVelocity {
   bool valid = false;
 };
 
-/// Is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.
+/// A JointVelocityGoal is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.
 struct SUTURE_TYPE() JointVelocityGoal {
   SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> goal;
-  /// Is optional.
+  /// The list may be empty.
   SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> acceleration;
-  /// Is optional.
+  /// The list may be empty.
   SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> deceleration;
-  /// Is optional: the positions not to pass.
+  /// The joints shall not pass these positions; the list may be empty.
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> guard;
-  /// Is optional, and says which joints count; if it is empty, all do.
+  /// The mask says which joints count; if it is empty, all do.
   SUTURE_FIELD(capacity(8)) std::vector<bool> mask;
   suture::Time stamp;
 };
 
-/// Is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.
+/// A JointEffortGoal is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.
 struct SUTURE_TYPE() JointEffortGoal {
   SUTURE_FIELD(capacity(8), unit("N.m")) std::vector<double> effort;
-  /// Is optional, and says which joints count; if it is empty, all do.
+  /// The mask says which joints count; if it is empty, all do.
   SUTURE_FIELD(capacity(8)) std::vector<bool> mask;
   suture::Time stamp;
 };
@@ -90,10 +90,11 @@ struct SUTURE_TYPE() JointConfiguration {
   bool valid = false;
 };
 
-/// Has position, velocity and effort in one servo command; corresponds to cisst's prmServoJoint.
+/// A ServoJoint has position, velocity and effort in one servo command; corresponds to cisst's
+/// prmServoJoint.
 struct SUTURE_TYPE() ServoJoint {
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> name;
-  /// Has these bits for each joint: 1 position, 2 velocity, 4 effort.
+  /// Each joint has these bits: 1 position, 2 velocity, 4 effort.
   SUTURE_FIELD(capacity(8)) std::vector<std::uint16_t> mode;
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
   SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity;
@@ -114,7 +115,8 @@ struct SUTURE_TYPE() ActuatorJointCoupling {
   SUTURE_FIELD(capacity(64)) std::vector<double> joint_to_actuator_effort;
 };
 
-/// Is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
+/// A Jacobian is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint
+/// velocity.
 struct SUTURE_TYPE() Jacobian {
   std::uint32_t joints = 0;
   SUTURE_FIELD(capacity(48)) std::vector<double> coefficients;

@@ -12,11 +12,11 @@
 
 namespace robots {
 
-/// Is the most joints that an arm has here.
+/// An arm has at most this many joints here.
 constexpr std::uint32_t kMaxJoints = 8;
 
-/// Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list
-/// is empty if its quantity is not known, and as long as `name` otherwise.
+/// A JointState is the state of all joints of an arm, in chain order: CRTK's measured_js and
+/// setpoint_js. A list is empty if its quantity is not known, and as long as `name` otherwise.
 struct SUTURE_TYPE() JointState {
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> name;
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
@@ -29,12 +29,13 @@ struct SUTURE_TYPE() JointState {
 
 /// Says where joints shall go: CRTK's servo_jp and move_jp.
 struct SUTURE_TYPE() JointGoal {
-  /// Has one entry for each joint, in chain order.
+  /// There is one entry for each joint, in chain order.
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
   suture::Time stamp;
 };
 
-/// Is a joint vector that an arm computed, without heap so that a control loop may return it.
+/// A JointSolution is a joint vector that an arm computed, without heap so that a control loop may
+/// return it.
 struct SUTURE_TYPE() JointSolution {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};

@@ -24,7 +24,7 @@ struct SUTURE_TYPE() ForwardKinematicsResponse {
 
 struct SUTURE_TYPE() InverseKinematicsRequest {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d cp = Eigen::Isometry3d::Identity();
-  /// Is where the search begins.
+  /// The search begins here.
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> jp;
 };
 

@@ -11,11 +11,12 @@
 
 namespace robots {
 
-/// Is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
+/// A PoseStamped is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
 struct SUTURE_TYPE() PoseStamped {
-  /// Is the moving frame of the interface in its reference frame.
+  /// The pose is that of the interface's moving frame in its reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  /// Is when the pose was true; for a set-point it is the stamp of the data from which it was made.
+  /// The pose was true at this time; for a set-point it is the stamp of the data from which it was
+  /// made.
   suture::Time stamp;
   /// If it is false, do not use it.
   bool valid = false;
@@ -24,9 +25,9 @@ struct SUTURE_TYPE() PoseStamped {
 /// Says where one frame is in another, for a reader that cannot know from the interface which they
 /// are.
 struct SUTURE_TYPE() TransformStamped {
-  /// Is the moving frame in the reference frame.
+  /// The moving frame is here in the reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
-  /// Are suture::frameId() of their names; 0 means not named.
+  /// Each is suture::frameId() of a frame's name; 0 means not named.
   suture::FrameId reference_frame = 0;
   suture::FrameId moving_frame = 0;
   suture::Time stamp;
@@ -34,7 +35,7 @@ struct SUTURE_TYPE() TransformStamped {
   bool valid = false;
 };
 
-/// Is the pose of the latency measurements: 120 bytes and no strings.
+/// A PoseSample is the pose of the latency measurements: 120 bytes and no strings.
 struct SUTURE_TYPE() PoseSample {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   SUTURE_FIELD(unit("m")) Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -44,16 +45,16 @@ struct SUTURE_TYPE() PoseSample {
 };
 static_assert(sizeof(PoseSample) == 120);
 
-/// Has the fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's
-/// measurements.
+/// A PosePrm has the fields of the cisst libraries' prmPositionCartesianGet, the type of the
+/// paper's measurements.
 struct SUTURE_TYPE() PosePrm {
   suture::Time timestamp;
-  /// Is true if the provider stamps the data itself.
+  /// This is true if the provider stamps the data itself.
   bool automatic_timestamp = true;
   bool valid = false;
   SUTURE_FIELD(capacity(15)) std::string moving_frame;
   SUTURE_FIELD(capacity(15)) std::string reference_frame;
-  /// Is the moving frame in the reference frame.
+  /// The moving frame is here in the reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d position = Eigen::Isometry3d::Identity();
 };
 

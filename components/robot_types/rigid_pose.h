@@ -5,7 +5,7 @@
 
 namespace robots {
 
-/// Is more than any number that a goal or a pose can mean, in SI units, and so little that no
+/// No number of a goal or a pose can mean more than this, in SI units, and it is so little that no
 /// product of several with the lengths of an arm overflows.
 constexpr double kMostMeant = 1e9;
 

@@ -13,7 +13,8 @@
 
 namespace robots {
 
-/// Has the poses of several tools at once. Corresponds to cisst's prmPositionCartesianArrayGet.
+/// A PoseArray has the poses of several tools at once. Corresponds to cisst's
+/// prmPositionCartesianArrayGet.
 struct SUTURE_TYPE() PoseArray {
   SUTURE_FIELD(capacity(15)) std::string reference_frame;
   SUTURE_FIELD(capacity(16, 15)) std::vector<std::string> moving_frames;
@@ -34,28 +35,28 @@ struct SUTURE_TYPE() ImageFrame {
   bool valid = false;
 };
 
-/// Is a pinhole camera with its distortion. Corresponds to cisst's prmCameraInfo.
+/// A CameraInfo is a pinhole camera with its distortion. Corresponds to cisst's prmCameraInfo.
 struct SUTURE_TYPE() CameraInfo {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  /// Is k1, k2, p1, p2, k3 (Brown and Conrady).
+  /// The order is k1, k2, p1, p2, k3 (Brown and Conrady).
   std::array<double, 5> distortion{};
   SUTURE_FIELD(unit("px")) Eigen::Matrix3d intrinsic = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d rectification = Eigen::Matrix3d::Identity();
-  /// Is 3 x 4, of the rectified image.
+  /// The matrix is 3 x 4, of the rectified image.
   Eigen::Matrix<double, 3, 4> projection = Eigen::Matrix<double, 3, 4>::Zero();
   suture::Time stamp;
   bool valid = false;
 };
 
-/// Is a cloud of coloured points. Corresponds to cisst's prmDepthMap.
+/// A DepthMap is a cloud of coloured points. Corresponds to cisst's prmDepthMap.
 struct SUTURE_TYPE() DepthMap {
   SUTURE_FIELD(capacity(15)) std::string reference_frame;
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  /// Has x, y, z of each point.
+  /// Each point has three entries: x, y, z.
   SUTURE_FIELD(capacity(196608), unit("m")) std::vector<float> points;
-  /// Has red, green, blue of each point.
+  /// Each point has three entries: red, green, blue.
   SUTURE_FIELD(capacity(196608)) std::vector<std::uint8_t> color;
   suture::Time stamp;
   bool valid = false;

@@ -22,10 +22,10 @@ struct StrandModel {
   double tissue = -1;  ///< m: z of the tissue's surface, below which no node may be
 };
 
-/// Belongs to one thread; no method allocates. Is a chain of point masses with stiff links, moved
-/// by extended position-based dynamics (Macklin et al., "XPBD", 2016). The links of a chain make a
-/// tridiagonal system, which is solved at once, so that tensions are exact in each step and need no
-/// iteration over the chain.
+/// Belongs to one thread; no method allocates. A Strand is a chain of point masses with stiff
+/// links, moved by extended position-based dynamics (Macklin et al., "XPBD", 2016). The links of a
+/// chain make a tridiagonal system, which is solved at once, so that tensions are exact in each
+/// step and need no iteration over the chain.
 ///
 /// The knot winds the strand about itself, so it holds as a capstan does: the strand runs through
 /// it only while the tension of one side exceeds that of the other by more than exp(friction *

@@ -20,9 +20,9 @@ namespace robots {
 struct SUTURE_TYPE() StrandParameters {
   suture::Duration period = std::chrono::milliseconds(1);
   SUTURE_FIELD(unit("m"), range(0.02, 1)) double length = 0.11;
-  /// Is the coefficient of friction of strand on strand.
+  /// Strand on strand has this coefficient of friction.
   SUTURE_FIELD(range(0, 1)) double friction = 0.15;
-  /// Is how far the strand winds about itself in the knot.
+  /// The strand winds about itself by this angle in the knot.
   SUTURE_FIELD(unit("rad"), range(0, 100)) double wrap = 9.42;
 };
 

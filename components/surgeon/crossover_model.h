@@ -14,10 +14,10 @@ namespace robots {
 
 struct CrossoverParameters {
   double frequency = 3;  ///< rad/s: of crossover
-  /// Is the time from seeing to moving, including nerves and muscles.
+  /// This time passes from seeing to moving, including nerves and muscles.
   suture::Duration delay = std::chrono::milliseconds(200);
-  /// Is the noise that an operator adds to what is seen, as its power in each rad/s divided by the
-  /// power of the error. 0.01, or -20 dB, is the number of Levison, Baron and Kleinman 1969.
+  /// An operator adds this noise to what is seen: its power in each rad/s divided by the power of
+  /// the error. 0.01, or -20 dB, is the number of Levison, Baron and Kleinman 1969.
   double remnant = 0.01;
   std::uint32_t seed = 1;
 };

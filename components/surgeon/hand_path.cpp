@@ -16,7 +16,7 @@ const Array3d kTurn{1.0, 0.7, 0.9};
 const Array3d kReachFrequency{1.0, 0.743, 0.547};
 const Array3d kTurnFrequency{0.931, 0.619, 0.867};
 
-// Is how many ramps it takes to come to the centre.
+// It takes this many ramps to come to the centre.
 constexpr double kReturn = 2;
 
 Vector3d sines(const Array3d& frequency, double t) {

@@ -19,11 +19,11 @@ namespace robots {
 
 struct SUTURE_TYPE() KnotSurgeonParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Is where both hands go from where they first are, in the masters' base frames.
+  /// Both hands go by this from where they first are, in the masters' base frames.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d carry{0, 0, -0.04};
-  /// Is how long that takes, and after each interruption what is left of it.
+  /// That takes this long, and after each interruption what is left of it.
   SUTURE_FIELD(unit("s"), range(0.1, 100)) double duration = 4;
-  /// Are how far the hands sway to the side meanwhile and afterwards, and how often.
+  /// The hands sway this far to the side meanwhile and afterwards, and this often.
   SUTURE_FIELD(unit("m"), range(0, 0.05)) double sway = 0.005;
   SUTURE_FIELD(unit("Hz"), range(0, 10)) double sway_frequency = 0.5;
 };

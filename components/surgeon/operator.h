@@ -31,20 +31,20 @@ enum class SUTURE_TYPE() ForceFeedback : std::uint8_t {
 
 struct SUTURE_TYPE() OperatorParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Is where the knot shall be, in the scene.
+  /// The knot shall come here, in the scene.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d target{0, 0, -0.15};
-  /// Is how far the knot moves for a metre of both hands: the scale of the guide, to which
-  /// operators adapt themselves.
+  /// The knot moves this far for a metre of both hands: the scale of the guide, to which operators
+  /// adapt themselves.
   SUTURE_FIELD(range(0.01, 10)) double scale = 0.4;
   /// This and the next three are those of McRuer's model (surgeon/crossover_model.h).
   SUTURE_FIELD(unit("rad/s"), range(0.1, 20)) double crossover_frequency = 3;
-  /// Is the time from seeing to moving; not below zero.
+  /// This time passes from seeing to moving; it is not below zero.
   suture::Duration delay = std::chrono::milliseconds(200);
-  /// Is the noise in what is seen: its power in each rad/s divided by the power of the error.
+  /// What is seen has this noise: its power in each rad/s divided by the power of the error.
   SUTURE_FIELD(range(0, 1)) double remnant = 0.01;
   /// Equal seeds and pictures give equal noise and tremor.
   std::uint32_t seed = 1;
-  /// Is the root mean square of each hand's tremor (hand/tremor.h).
+  /// Each hand's tremor has this root mean square (hand/tremor.h).
   SUTURE_FIELD(unit("m"), range(0, 0.002)) double tremor = 1e-4;
   /// The hands go no faster, whatever the error: our own estimate of careful work.
   SUTURE_FIELD(unit("m/s"), range(0.001, 1)) double speed = 0.2;
@@ -53,7 +53,7 @@ struct SUTURE_TYPE() OperatorParameters {
   suture::Duration picture_age = std::chrono::seconds(1);
   /// Says what the hands feel of the slaves.
   ForceFeedback force_feedback = ForceFeedback::None;
-  /// Are how stiffly, and how much damped, each master is drawn to where its slave is known to be.
+  /// Each master is drawn this stiffly, and damped this much, to where its slave is known to be.
   SUTURE_FIELD(unit("N/m"), range(0, 5000)) double stiffness = 300;
   SUTURE_FIELD(unit("N.s/m"), range(0, 100)) double damping = 3;
   /// If it is true, the passivity controller works; without it, hands may get more energy than they
@@ -88,7 +88,7 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
   double rightEnergy() const { return right_.feedback.energy().minCoeff(); }
 
  private:
-  /// Is a hand and the master that it holds.
+  /// A Side is a hand and the master that it holds.
   struct Side {
     Side(Operator& self, const char* masterName, const char* slaveName,
          const OperatorParameters& parameters, std::uint32_t number);
@@ -110,7 +110,7 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
     Hand hand;  // from where it began, m in the console's directions
     PositionPosition feedback;
     RateFilter<3> slaveRate;
-    // Is where the slave was while the hand was at its origin, to the scale of the master, in m;
+    // The slave was here while the hand was at its origin, to the scale of the master, in m;
     // none while it is not felt.
     std::optional<Eigen::Vector3d> slaveStart;
   };

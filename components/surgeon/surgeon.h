@@ -20,14 +20,14 @@ namespace robots {
 
 struct SUTURE_TYPE() SurgeonParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Is how far the hand swings along its widest axis.
+  /// The hand swings this far along its widest axis.
   SUTURE_FIELD(unit("m"), range(0, 0.2)) double amplitude = 0.1;
-  /// Is how far it turns about its widest axis.
+  /// The hand turns this far about its widest axis.
   SUTURE_FIELD(unit("rad"), range(0, 1)) double turn = 0.3;
   SUTURE_FIELD(unit("Hz"), range(0.001, 10)) double frequency = 0.3;
-  /// Is how far the fingers open the gripper, as often as the hand swings.
+  /// The fingers open the gripper this far, as often as the hand swings.
   SUTURE_FIELD(unit("rad"), range(0, 1.047)) double opening = 0.5;
-  /// Is how long it takes to reach the full swing.
+  /// It takes this long to reach the full swing.
   SUTURE_FIELD(unit("s"), range(0.1, 100)) double ramp = 1.0;
 };
 

@@ -16,7 +16,7 @@
 
 namespace robots {
 
-/// Are where a master is, and where its slave was sent.
+/// ArmPoses say where a master is, and where its slave was sent.
 struct ArmPoses {
   PoseStamped master, slave;
   /// The master's poses refer to another base than those before, so that it seems to have moved.

@@ -7,7 +7,7 @@
 namespace robots {
 
 struct FollowSettings {
-  /// Is how many metres the slave moves for each metre of the master.
+  /// The slave moves this many metres for each metre of the master.
   double scale = 1;
   /// Rotates directions of the master's reference frame to those of the slave's that look the same
   /// to the surgeon.

@@ -31,7 +31,7 @@ namespace robots {
 
 struct SUTURE_TYPE() TeleopParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Is how many metres the slave moves for each metre of the master.
+  /// The slave moves this many metres for each metre of the master.
   SUTURE_FIELD(range(0.01, 10)) double scale = 0.2;
   /// With data older than this following ends, and begins anew when they are fresh again.
   suture::Duration max_age = std::chrono::milliseconds(20);
@@ -50,11 +50,11 @@ struct SUTURE_TYPE() TeleopParameters {
   /// Following does not begin with a registration that was renewed longer ago than this. It goes on
   /// with the one with which it began.
   suture::Duration registration_age = std::chrono::milliseconds(250);
-  /// Are the radians of the jaw for each radian of the gripper, and the angle of the jaw with the
+  /// The jaw turns this many radians for each radian of the gripper, from this angle with the
   /// gripper at 0: 60 degrees of the gripper are the 80 of the jaw.
   SUTURE_FIELD(range(0.01, 10)) double jaw_scale = 1.3333;
   SUTURE_FIELD(unit("rad"), range(-2, 2)) double jaw_offset = 0;
-  /// Are how fast the jaw follows, and how fast it goes to where the gripper is before that.
+  /// The jaw follows this fast, and goes this fast to where the gripper is before that.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_ghost_rate = 0.6283;
   /// When the jaw is this near to where the gripper is, it follows.

@@ -13,15 +13,15 @@ namespace robots {
 /// Says where following began: with this and the master's poses, anyone can compute what the slave
 /// should do.
 struct SUTURE_TYPE() FollowAnchors {
-  /// Is the stamp of the first master pose that was followed.
+  /// The first master pose that was followed has this stamp.
   suture::Time master_stamp;
-  /// Is the master's measured pose at that stamp, in the master's reference frame.
+  /// The master's measured pose was this at that stamp, in the master's reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d master = Eigen::Isometry3d::Identity();
-  /// Is the slave's set-point at entry, in the slave's reference frame.
+  /// The slave's set-point was this at entry, in the slave's reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d slave_setpoint = Eigen::Isometry3d::Identity();
-  /// Is how many metres the slave moves for each metre of the master.
+  /// The slave moves this many metres for each metre of the master.
   double scale = 0;
-  /// Is how many times following began, including this one; 0 if it never did. A change of the
+  /// Following began this many times, including this one; 0 if it never did. A change of the
   /// settings counts too, and does not move the slave.
   std::uint64_t entry = 0;
   /// Rotates directions of the master's reference frame to those of the slave's that look the same
@@ -43,7 +43,7 @@ enum class SUTURE_TYPE() TeleopState : std::uint8_t {
 
 /// Holds the settings by which the slave follows.
 struct SUTURE_TYPE() TeleopSettings {
-  /// Is how many metres the slave moves for each metre of the master.
+  /// The slave moves this many metres for each metre of the master.
   double scale = 0;
   bool rotation_locked = false;
   bool translation_locked = false;
@@ -70,7 +70,7 @@ class SUTURE_INTERFACE() Teleoperation {
   SUTURE_COMMAND() virtual void lock_translation(bool lock) = 0;
 
   SUTURE_COMMAND() virtual TeleopState teleop_state() const = 0;
-  /// Are the anchors of the present or last time of following.
+  /// Returns the anchors of the present or last time of following.
   SUTURE_COMMAND() virtual FollowAnchors anchors() const = 0;
   SUTURE_COMMAND() virtual TeleopSettings settings() const = 0;
 

@@ -8,15 +8,15 @@ namespace robots {
 
 enum class Eye : std::uint8_t { Left, Right };
 
-/// Is a plain value: two equal pinholes side by side, whose images are rectified. Points are in the
-/// frame of the left one, in m: x to the right and y downward in the image, z ahead. Pixels count
-/// from the centre of the upper left one. The numbers are those of the Surgical Robotics
-/// Challenge's world_stereo (collaborative-robotics/surgical_robotics_challenge).
+/// A CameraPair is a plain value: two equal pinholes side by side, whose images are rectified.
+/// Points are in the frame of the left one, in m: x to the right and y downward in the image, z
+/// ahead. Pixels count from the centre of the upper left one. The numbers are those of the Surgical
+/// Robotics Challenge's world_stereo (collaborative-robotics/surgical_robotics_challenge).
 struct CameraPair {
   int width = 640, height = 480;  ///< px
   double focal = 351;             ///< px
   double baseline = 0.004;        ///< m, from the left to the right pinhole
-  /// In rad: is by how much the right camera is turned toward the left one's axis. Code that
+  /// In rad: the right camera is turned by this toward the left one's axis. Code that
   /// triangulates does not know it: it is what a calibration has missed, or heat has changed since.
   double vergence = 0;
 

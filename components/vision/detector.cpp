@@ -15,18 +15,18 @@ namespace {
 constexpr int kLeast = 20, kWhole = 95;
 // A difference of green and blue of less than this, of 255, is noise.
 constexpr int kNothing = 8;
-// In px: is a quarter of the knot at 120 mm, and far more than noise makes.
+// In px: this is a quarter of the knot at 120 mm, and far more than noise makes.
 constexpr int kLeastArea = 25;
-// In px: is the width of an edge, with its blur.
+// In px: an edge with its blur is this wide.
 constexpr int kEdge = 2;
-// In px: is the largest difference between the heights of a point in both images, far more than a
-// centroid's error.
+// The heights of a point in both images differ by at most this, in px: far more than a centroid's
+// error.
 constexpr double kLargestSkew = 2;
-// Is the least share of its ball that a marker shows. The strand hides a sliver, and a calibration
+// A marker shows at least this share of its ball. The strand hides a sliver, and a calibration
 // that is a little wrong makes the ball seem as much as a third larger.
 constexpr double kLeastShare = 0.7;
-// Is the least that one image shows of that share in the other, less than noise and the strand make
-// of it.
+// One image shows at least this part of that share in the other, less than noise and the strand
+// make of it.
 constexpr double kLeastOfOther = 0.96;
 
 bool isComplete(const ImageFrame& image) {
@@ -60,8 +60,8 @@ cv::Rect grown(const cv::Rect& box, int by) {
   return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
 }
 
-/// Is where the largest spot of a mask is, and its pixels there; there are no pixels if none is
-/// large enough.
+/// A Spot says where the largest spot of a mask is, and how many pixels it has; there are no pixels
+/// if none is large enough.
 struct Spot {
   cv::Rect box;
   cv::Mat1b pixels;

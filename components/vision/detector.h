@@ -11,7 +11,7 @@
 
 namespace robots {
 
-/// Is a marker in one image.
+/// A Detection is a marker in one image.
 struct Detection {
   Eigen::Vector2d place;  ///< px: its centre
   double area;            ///< px2: how much of the image it covers
@@ -21,7 +21,7 @@ using Detections = std::array<std::optional<Detection>, kMarkers>;
 /// Holds the place of each marker in m, in the frame of the left camera.
 using MarkerPoints = std::array<std::optional<Eigen::Vector3d>, kMarkers>;
 
-/// In px: is the standard deviation of a disparity that detect() finds, with the noise of the
+/// In px: a disparity that detect() finds has this standard deviation, with the noise of the
 /// synthetic endoscope; tests/unit/vision/accuracy_test.cpp checks it.
 constexpr double kDisparityNoise = 0.05;
 

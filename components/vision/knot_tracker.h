@@ -19,11 +19,11 @@
 namespace robots {
 
 struct SUTURE_TYPE() TrackerParameters {
-  /// Is how often it looks for new images, and publishes poses.
+  /// It looks for new images, and publishes poses, once in this period.
   suture::Duration period = std::chrono::milliseconds(20);
   /// A pose is not valid if it was seen longer ago than this: some three images.
   suture::Duration max_age = std::chrono::milliseconds(250);
-  /// Is how fast the velocity of what it follows changes. This is our own number: that of a careful
+  /// The velocity of what it follows changes this fast. This is our own number: that of a careful
   /// hand.
   SUTURE_FIELD(unit("m/s2"), range(0.001, 100)) double acceleration = 0.1;
 };

@@ -8,14 +8,15 @@
 
 namespace robots {
 
-/// Is in the frame of the left camera: x to the right and y downward in the image, z ahead.
+/// Its points are in the frame of the left camera: x to the right and y downward in the image, z
+/// ahead.
 struct SUTURE_TYPE() KnotSighting {
   SUTURE_FIELD(unit("m")) Eigen::Vector3d knot = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("m")) Eigen::Vector3d left_tip = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("m")) Eigen::Vector3d right_tip = Eigen::Vector3d::Zero();
-  /// Is when the images were exposed.
+  /// The images were exposed at this time.
   suture::Time stamp;
-  /// Is false unless both eyes see all three.
+  /// This is false unless both eyes see all three.
   bool valid = false;
 };
 
@@ -23,7 +24,7 @@ class SUTURE_INTERFACE() KnotVision {
  public:
   virtual ~KnotVision() = default;
 
-  /// Is what the last pair of images showed.
+  /// Returns what the last pair of images showed.
   SUTURE_COMMAND() virtual const KnotSighting& sighting() const = 0;
 };
 

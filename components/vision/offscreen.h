@@ -12,19 +12,19 @@ struct osmesa_context;
 
 namespace robots {
 
-/// Is a range of rows of an image, from the upper one on; `last` is the first that does not belong
-/// to it.
+/// These are the rows of a part of an image, from the upper one on; `last` is the first that does
+/// not belong to it.
 struct Rows {
   int first, last;
 };
 
-/// Is a part of an image, in px; `left` and `top` are its first column and row.
+/// A Square is a part of an image, in px; `left` and `top` are its first column and row.
 struct Square {
   int left, top, size;
 };
 
-/// One thread: it draws only in the thread in which it was made. Is a framebuffer in memory that
-/// Mesa's software renderer fills.
+/// One thread: it draws only in the thread in which it was made. An Offscreen is a framebuffer in
+/// memory that Mesa's software renderer fills.
 class Offscreen {
  public:
   /// The size is in px. Throws suture::SetupError if Mesa cannot make it.

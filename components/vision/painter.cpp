@@ -60,7 +60,7 @@ void drawStrand(const Solids& solids, const Strand::Nodes& strand) {
   }
 }
 
-/// Is an instrument, which comes from the side that is away from the other tip.
+/// This is an instrument, which comes from the side that is away from the other tip.
 struct Instrument {
   Instrument(const Vector3d& its, const Vector3d& other)
       : tip(its),

@@ -10,10 +10,10 @@
 
 namespace robots {
 
-/// Is what is before the cameras, in the frame of the left one, in m.
+/// A View is what is before the cameras, in the frame of the left one, in m.
 struct View {
   Strand::Nodes strand;  ///< from one tip to the other
-  /// Is the tissue's surface; its normal points away from the tissue.
+  /// The plane is the tissue's surface; its normal points away from the tissue.
   Eigen::Hyperplane<double, 3> tissue{Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(0, 0, 0.16)};
 };
 

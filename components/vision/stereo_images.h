@@ -18,10 +18,10 @@ class SUTURE_INTERFACE() StereoImages {
  public:
   virtual ~StereoImages() = default;
 
-  /// Is the last pair; it is not valid while there is nothing to see.
+  /// Returns the last pair; it is not valid while there is nothing to see.
   SUTURE_COMMAND() virtual const StereoPair& images() const = 0;
-  /// Is the stamp of the last pair, and 0 while there is nothing to see. A client that asks this
-  /// first copies megabytes only if they are new.
+  /// Returns the stamp of the last pair, and 0 while there is nothing to see. A client that asks
+  /// this first copies megabytes only if they are new.
   SUTURE_COMMAND() virtual suture::Time exposed() const = 0;
 };
 

@@ -24,16 +24,16 @@ struct SUTURE_TYPE() EndoscopeParameters {
   /// Gives 15 images a second, as in the da Vinci Research Kit's stereo launch file; a fast machine
   /// can have 60.
   suture::Duration period = std::chrono::microseconds(66'667);
-  /// Is the standard deviation of each channel of each pixel, of 255.
+  /// Each channel of each pixel has noise of this standard deviation, of 255.
   SUTURE_FIELD(range(0, 5)) double noise = 3;
-  /// Is the standard deviation of a point's light.
+  /// A point's light is spread with this standard deviation.
   SUTURE_FIELD(unit("px"), range(0, 3)) double blur = 0.6;
-  /// Is the share of the pairs that are lost on their way.
+  /// This share of the pairs is lost on its way.
   SUTURE_FIELD(range(0, 1)) double dropout = 0.01;
-  /// Is the time from the exposure until a pair is there; the time that drawing takes is added. It
-  /// is half a second at most, because the strand keeps no more of its past.
+  /// A pair is there this long after its exposure; the time that drawing takes is added. It is half
+  /// a second at most, because the strand keeps no more of its past.
   suture::Duration latency = std::chrono::milliseconds(10);
-  /// Is by how much the right camera is turned toward the left one's axis, which nobody is told.
+  /// The right camera is turned by this toward the left one's axis, which nobody is told.
   SUTURE_FIELD(unit("rad"), range(-0.1, 0.1)) double vergence = 0;
 };
 

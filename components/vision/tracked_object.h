@@ -8,8 +8,8 @@
 
 namespace robots {
 
-/// Is a ball in the frame of the left camera: x to the right and y downward in the image, z ahead.
-/// It has no orientation, so that of its pose is the camera's.
+/// A TrackedObject is a ball in the frame of the left camera: x to the right and y downward in the
+/// image, z ahead. It has no orientation, so that of its pose is the camera's.
 class SUTURE_INTERFACE(crtk()) TrackedObject {
  public:
   virtual ~TrackedObject() = default;

@@ -5,7 +5,7 @@
 namespace robots {
 namespace {
 
-// In m/s: is about as fast as instruments move, which is all that is known of a velocity before the
+// In m/s: instruments move about this fast, which is all that is known of a velocity before the
 // second sighting.
 constexpr double kSpeed = 0.1;
 

@@ -7,10 +7,10 @@
 
 namespace robots {
 
-/// Belongs to one thread; never allocates. Is a Kalman filter of constant velocity for each axis:
-/// what it follows changes its velocity by chance, and sightings have noise. Sightings have the
-/// stamp of their exposure, and it predicts to any later time, so that their latency costs little
-/// accuracy. Lengths are in m, in one frame.
+/// Belongs to one thread; never allocates. A TrackingFilter is a Kalman filter of constant velocity
+/// for each axis: what it follows changes its velocity by chance, and sightings have noise.
+/// Sightings have the stamp of their exposure, and it predicts to any later time, so that their
+/// latency costs little accuracy. Lengths are in m, in one frame.
 class TrackingFilter {
  public:
   /// `acceleration` is how fast the velocity changes, in m/s^2.

@@ -8,11 +8,11 @@
 
 namespace tracking {
 
-/// Are given by the deployment file as JSON, including the whole observation.
+/// The deployment file gives these as JSON, including the whole observation.
 struct SUTURE_TYPE() CameraParameters {
-  /// Is what the camera sees first.
+  /// The camera sees this first.
   Observation first;
-  /// Is how fast the instrument turns about its own z axis.
+  /// The instrument turns this fast about its own z axis.
   SUTURE_FIELD(unit("rad/s"), range(-10, 10)) double turn_rate = 0.5;
 };
 

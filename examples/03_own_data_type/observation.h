@@ -18,15 +18,16 @@ struct SUTURE_TYPE() Marker {
   SUTURE_FIELD(unit("m")) Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// Is what a tracking camera knows of a surgical instrument at one moment, in the camera's frame.
+/// An Observation is what a tracking camera knows of a surgical instrument at one moment, in the
+/// camera's frame.
 struct SUTURE_TYPE() Observation {
   SUTURE_FIELD(capacity(31)) std::string instrument;
   Visibility visibility = Visibility::Hidden;
-  /// Is the pose of its tip.
+  /// The tip of the instrument has this pose.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d tip = Eigen::Isometry3d::Identity();
-  /// Are the markers that are seen.
+  /// The camera sees these markers.
   SUTURE_FIELD(capacity(8)) std::vector<Marker> markers;
-  /// Is how far its jaws are open.
+  /// The jaws of the instrument are open this far.
   SUTURE_FIELD(unit("rad"), range(0, 1.6)) double jaw_angle = 0;
 };
 

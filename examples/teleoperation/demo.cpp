@@ -35,7 +35,7 @@ namespace fs = std::filesystem;
 
 constexpr int kInterrupted = 130;  // what a shell says of a program that Ctrl-C ended
 
-/// Is the folder where a run records; it is removed with this object.
+/// A RunFolder is the folder where a run records; it is removed with this object.
 class RunFolder {
  public:
   RunFolder() {

@@ -6,7 +6,7 @@
 
 namespace demo {
 
-/// Is a file, and a hash that tells if two files are the same, byte by byte.
+/// A ProgramHash is a file, and a hash that tells if two files are the same, byte by byte.
 struct ProgramHash {
   std::string name;    ///< of the file, without its folder
   std::string sha256;  ///< in hexadecimal digits

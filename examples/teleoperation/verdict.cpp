@@ -19,7 +19,7 @@ namespace {
 using suture::ConnectionReport;
 
 constexpr double kDegreesOfRadian = 180 / std::numbers::pi;
-// Is how much longer than drives live without a permit an arm may move after a stop: what stops has
+// After a stop an arm may move this much longer than drives live without a permit: what stops has
 // to brake, and its recorder to look.
 constexpr suture::Duration kStopping = std::chrono::milliseconds(50);
 

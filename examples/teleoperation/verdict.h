@@ -23,7 +23,8 @@ struct ArmFigures {
   std::optional<robots::Judgement> following;  ///< of a slave whose run could be judged
 };
 
-/// Is a slave that had to hold, while a process was cut off or the emergency stop was pressed.
+/// A HeldSlave is a slave that had to hold, while a process was cut off or the emergency stop was
+/// pressed.
 struct HeldSlave {
   std::string name;
   robots::HoldJudgement judgement;

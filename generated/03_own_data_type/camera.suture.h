@@ -15,7 +15,7 @@ class JsonReader;
 
 namespace tracking {
 
-/// Are given by the deployment file as JSON, including the whole observation.
+/// The deployment file gives these as JSON, including the whole observation.
 struct CameraParametersSlot {
   ObservationSlot first;
   double turn_rate;  // rad/s

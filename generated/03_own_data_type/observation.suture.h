@@ -16,7 +16,8 @@ struct MarkerSlot {
 bool store(const Marker& value, MarkerSlot& slot);
 void load(const MarkerSlot& slot, Marker& value);
 
-/// Is what a tracking camera knows of a surgical instrument at one moment, in the camera's frame.
+/// An Observation is what a tracking camera knows of a surgical instrument at one moment, in the
+/// camera's frame.
 struct ObservationSlot {
   suture::BoundedText<31> instrument;
   std::uint8_t visibility;     // Visibility

@@ -39,28 +39,28 @@ constexpr char kTrackerDescription[] = R"json(
 "name": "number", "type": {"kind": "UInt32"}, "default": 0}, {"name": "position", "type": {
 "kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}]}, {
 "name": "tracking::Observation",
-"doc": "Is what a tracking camera knows of a surgical instrument at one moment, in the camera's frame.",
+"doc": "An Observation is what a tracking camera knows of a surgical instrument at one moment, in the\ncamera's frame.",
 "fields": [{"name": "instrument", "type": {"kind": "text", "capacity": 31}}, {"name": "visibility",
 "type": {"kind": "enum", "name": "tracking::Visibility"}, "default": "Hidden"}, {"name": "tip",
-"doc": "Is the pose of its tip.", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {
-"name": "markers", "doc": "Are the markers that are seen.", "type": {"kind": "list", "element": {
-"kind": "struct", "name": "tracking::Marker"}, "capacity": 8}}, {"name": "jaw_angle",
-"wire": "jawAngle", "doc": "Is how far its jaws are open.", "type": {"kind": "Float64"},
-"unit": "rad", "range": [0.0, 1.6], "default": 0.0}]}], "wire": [{"id": "@0xfadff631147631f3",
-"kind": "interface", "name": "Tracker", "cxx": "tracking::Tracker", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xbe3f6f6614035211"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
-"at": 1, "name": "observation", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xb007f771f460d934"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xbe3f6f6614035211", "kind": "interface",
-"name": "TrackerEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xfa119c601108b062"}]}]}, {"id": "@0xfa119c601108b062", "kind": "struct",
-"name": "TrackerStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "observation", "is": "@0xb007f771f460d934"}]}, {"id": "@0xb007f771f460d934",
-"kind": "struct", "name": "Observation", "members": [{"at": 0, "name": "instrument", "is": "Text"},
-{"at": 1, "name": "visibility", "is": "@0xbbada0527d771775"}, {"at": 2, "name": "tip",
-"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "markers",
+"doc": "The tip of the instrument has this pose.", "type": {"kind": "isometry", "scalar": "Float64"
+}, "unit": "m"}, {"name": "markers", "doc": "The camera sees these markers.", "type": {
+"kind": "list", "element": {"kind": "struct", "name": "tracking::Marker"}, "capacity": 8}}, {
+"name": "jaw_angle", "wire": "jawAngle", "doc": "The jaws of the instrument are open this far.",
+"type": {"kind": "Float64"}, "unit": "rad", "range": [0.0, 1.6], "default": 0.0}]}], "wire": [{
+"id": "@0xfadff631147631f3", "kind": "interface", "name": "Tracker", "cxx": "tracking::Tracker",
+"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xbe3f6f6614035211"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "observation", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xb007f771f460d934"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xbe3f6f6614035211", "kind": "interface", "name": "TrackerEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xfa119c601108b062"}]}]}, {
+"id": "@0xfa119c601108b062", "kind": "struct", "name": "TrackerStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "observation", "is": "@0xb007f771f460d934"}]
+}, {"id": "@0xb007f771f460d934", "kind": "struct", "name": "Observation", "members": [{"at": 0,
+"name": "instrument", "is": "Text"}, {"at": 1, "name": "visibility", "is": "@0xbbada0527d771775"}, {
+"at": 2, "name": "tip", "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "markers",
 "is": "List(@0x8dd86c5318c04d7e)"}, {"at": 4, "name": "jawAngle", "is": "Float64 unit \"rad\""}]}, {
 "id": "@0xbbada0527d771775", "kind": "enum", "name": "Visibility", "members": [{"at": 0,
 "name": "hidden"}, {"at": 1, "name": "partial"}, {"at": 2, "name": "full"}]}, {

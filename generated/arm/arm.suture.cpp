@@ -924,26 +924,27 @@ constexpr char kArmDescription[] = R"json(
 "kind": "write", "ordinal": 10, "wire": "trajectoryJRatioA",
 "doc": "Reports a change of the fraction of the acceleration limits.", "payload": {"type": {
 "kind": "Float64"}}, "queue": 16, "latched": true, "number": 9}], "enums": [{
-"name": "robots::ArmState", "doc": "Are the states of CRTK.", "underlying": "UInt8",
-"enumerators": [{"name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled",
-"value": 1, "wire": "disabled"}, {"name": "Enabled", "value": 2, "wire": "enabled"}, {
-"name": "Paused", "value": 3, "wire": "paused"}, {"name": "Fault", "value": 4, "wire": "fault"}]}, {
-"name": "robots::JointType", "underlying": "UInt8", "enumerators": [{"name": "Undefined",
-"value": 0, "wire": "undefined"}, {"name": "Prismatic", "value": 1, "wire": "prismatic"}, {
-"name": "Revolute", "value": 2, "wire": "revolute"}, {"name": "Universal", "value": 3,
-"wire": "universal"}, {"name": "BallSocket", "value": 4, "wire": "ballSocket"}, {
+"name": "robots::ArmState", "doc": "An ArmState is one of the states of CRTK.",
+"underlying": "UInt8", "enumerators": [{"name": "Undefined", "value": 0, "wire": "undefined"}, {
+"name": "Disabled", "value": 1, "wire": "disabled"}, {"name": "Enabled", "value": 2,
+"wire": "enabled"}, {"name": "Paused", "value": 3, "wire": "paused"}, {"name": "Fault", "value": 4,
+"wire": "fault"}]}, {"name": "robots::JointType", "underlying": "UInt8", "enumerators": [{
+"name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Prismatic", "value": 1,
+"wire": "prismatic"}, {"name": "Revolute", "value": 2, "wire": "revolute"}, {"name": "Universal",
+"value": 3, "wire": "universal"}, {"name": "BallSocket", "value": 4, "wire": "ballSocket"}, {
 "name": "Inactive", "value": 5, "wire": "inactive"}]}], "structs": [{"name": "robots::PoseStamped",
-"doc": "Is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [
-{"name": "pose", "doc": "Is the moving frame of the interface in its reference frame.", "type": {
+"doc": "A PoseStamped is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.",
+"fields": [{"name": "pose",
+"doc": "The pose is that of the interface's moving frame in its reference frame.", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
-"doc": "Is when the pose was true; for a set-point it is the stamp of the data from which it was made.",
+"doc": "The pose was true at this time; for a set-point it is the stamp of the data from which it was\nmade.",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
 "doc": "If it is false, do not use it.", "type": {"kind": "Bool"}, "default": false}]}, {
 "name": "robots::JointGoal", "doc": "Says where joints shall go: CRTK's servo_jp and move_jp.",
-"fields": [{"name": "position", "doc": "Has one entry for each joint, in chain order.", "type": {
-"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "stamp",
-"type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointState",
-"doc": "Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list\nis empty if its quantity is not known, and as long as `name` otherwise.",
+"fields": [{"name": "position", "doc": "There is one entry for each joint, in chain order.",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {
+"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointState",
+"doc": "A JointState is the state of all joints of an arm, in chain order: CRTK's measured_js and\nsetpoint_js. A list is empty if its quantity is not known, and as long as `name` otherwise.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
 "capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
@@ -951,16 +952,17 @@ constexpr char kArmDescription[] = R"json(
 "element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}, {"name": "valid",
 "doc": "If it is false, do not use the state.", "type": {"kind": "Bool"}, "default": false}]}, {
-"name": "robots::OperatingState", "doc": "Is CRTK's operating_state.", "fields": [{"name": "state",
-"type": {"kind": "enum", "name": "robots::ArmState"}, "default": "Undefined"}, {
+"name": "robots::OperatingState", "doc": "An OperatingState is CRTK's operating_state.", "fields": [
+{"name": "state", "type": {"kind": "enum", "name": "robots::ArmState"}, "default": "Undefined"}, {
 "name": "sub_state", "wire": "subState",
 "doc": "Says for people what the arm is doing within its state: \"holding\", \"servo_cp\".",
 "type": {"kind": "text", "capacity": 15}}, {"name": "is_homed", "wire": "isHomed", "type": {
 "kind": "Bool"}, "default": false}, {"name": "is_busy", "wire": "isBusy",
-"doc": "Is true while a move is under way; servo commands do not set it.", "type": {"kind": "Bool"
-}, "default": false}, {"name": "stamp", "doc": "Is when one of the above changed last.", "type": {
-"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
-"doc": "Is a joint vector that an arm computed, without heap so that a control loop may return it.",
+"doc": "This is true while a move is under way; servo commands do not set it.", "type": {
+"kind": "Bool"}, "default": false}, {"name": "stamp",
+"doc": "One of the above changed last at this time.", "type": {"kind": "time", "clock": "steady"}}]
+}, {"name": "robots::JointSolution",
+"doc": "A JointSolution is a joint vector that an arm computed, without heap so that a control loop may\nreturn it.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
@@ -991,7 +993,7 @@ constexpr char kArmDescription[] = R"json(
 "type": {"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "samples", "type": {
 "kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Twist",
-"doc": "Is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's prmVelocityCartesianGet.",
+"doc": "A Twist is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's\nprmVelocityCartesianGet.",
 "fields": [{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64",
 "rows": 3, "columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame",
@@ -999,7 +1001,7 @@ constexpr char kArmDescription[] = R"json(
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}, {"name": "valid", "doc": "If it is false, do not use it.", "type": {
 "kind": "Bool"}, "default": false}]}, {"name": "robots::Wrench",
-"doc": "Is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to cisst's\nprmForceCartesianGet.",
+"doc": "A Wrench is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to\ncisst's prmForceCartesianGet.",
 "fields": [{"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
 }, "unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Says which components are known.", "type": {
@@ -1008,7 +1010,7 @@ constexpr char kArmDescription[] = R"json(
 "wire": "referenceFrame", "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "If it is false, do not use it.",
 "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::CartesianState",
-"doc": "Is pose, velocity and force of one instant, as CRTK's measured_cs says it. Corresponds to\ncisst's prmStateCartesian.",
+"doc": "A CartesianState is pose, velocity and force of one instant, as CRTK's measured_cs says it.\nCorresponds to cisst's prmStateCartesian.",
 "fields": [{"name": "moving_frame", "wire": "movingFrame", "type": {"kind": "UInt32"}, "default": 0
 }, {"name": "reference_frame", "wire": "referenceFrame", "type": {"kind": "UInt32"}, "default": 0},
 {"name": "position", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {
@@ -1022,36 +1024,37 @@ constexpr char kArmDescription[] = R"json(
 "kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "N.m"}, {
 "name": "force_is_valid", "wire": "forceIsValid", "type": {"kind": "Bool"}, "default": false}, {
 "name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::Jacobian",
-"doc": "Is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.",
+"doc": "A Jacobian is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint\nvelocity.",
 "fields": [{"name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {"name": "coefficients",
 "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 48}}, {"name": "stamp",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"},
 "default": false}]}, {"name": "robots::TransformStamped",
 "doc": "Says where one frame is in another, for a reader that cannot know from the interface which they\nare.",
-"fields": [{"name": "transform", "doc": "Is the moving frame in the reference frame.", "type": {
-"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "reference_frame",
-"wire": "referenceFrame", "doc": "Are suture::frameId() of their names; 0 means not named.",
+"fields": [{"name": "transform", "doc": "The moving frame is here in the reference frame.",
+"type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "reference_frame",
+"wire": "referenceFrame", "doc": "Each is suture::frameId() of a frame's name; 0 means not named.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "moving_frame", "wire": "movingFrame", "type": {
 "kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "valid", "doc": "If it is false, do not use it.", "type": {"kind": "Bool"}, "default": false
 }]}, {"name": "robots::JointVelocityGoal",
-"doc": "Is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.", "fields": [{
-"name": "goal", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "rad/s"}, {"name": "acceleration", "doc": "Is optional.", "type": {"kind": "list",
-"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "deceleration",
-"doc": "Is optional.", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "rad/s2"}, {"name": "guard", "doc": "Is optional: the positions not to pass.", "type": {
+"doc": "A JointVelocityGoal is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.",
+"fields": [{"name": "goal", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8
+}, "unit": "rad/s"}, {"name": "acceleration", "doc": "The list may be empty.", "type": {
+"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {
+"name": "deceleration", "doc": "The list may be empty.", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "guard",
+"doc": "The joints shall not pass these positions; the list may be empty.", "type": {
 "kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "mask",
-"doc": "Is optional, and says which joints count; if it is empty, all do.", "type": {
-"kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointEffortGoal",
-"doc": "Is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.", "fields": [
-{"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "N.m"}, {"name": "mask",
-"doc": "Is optional, and says which joints count; if it is empty, all do.", "type": {
-"kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}]}, {"name": "robots::TwistGoal",
-"doc": "Is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's prmVelocityCartesianSet.",
+"doc": "The mask says which joints count; if it is empty, all do.", "type": {"kind": "list",
+"element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}, {"name": "robots::JointEffortGoal",
+"doc": "A JointEffortGoal is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.",
+"fields": [{"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8
+}, "unit": "N.m"}, {"name": "mask",
+"doc": "The mask says which joints count; if it is empty, all do.", "type": {"kind": "list",
+"element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}, {"name": "robots::TwistGoal",
+"doc": "A TwistGoal is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's\nprmVelocityCartesianSet.",
 "fields": [{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64",
 "rows": 3, "columns": 1}, "unit": "rad/s"}, {"name": "linear_acceleration",
@@ -1061,14 +1064,14 @@ constexpr char kArmDescription[] = R"json(
 "name": "mask", "doc": "Says which of x, y, z and the rotations about them count.", "type": {
 "kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "robots::WrenchGoal",
-"doc": "Is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's prmForceCartesianSet.",
+"doc": "A WrenchGoal is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's\nprmForceCartesianSet.",
 "fields": [{"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
 }, "unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Says which components count.", "type": {
 "kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "suture::Message", "fields": [{"name": "text",
-"doc": "Is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.", "type": {
-"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "The text is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
 "doc": "Says what it is about, by numbers that its sender documents; 0 means nothing in particular.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
 "doc": "Counts the messages of its sender, of all three kinds together, from 1. A gap says that the\nlistener has missed some; a number seen before says that the last one was sent again.",

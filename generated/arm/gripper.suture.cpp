@@ -75,7 +75,7 @@ constexpr char kGripperDescription[] = R"json(
 "unit": "N.m"}, {"name": "effort_max", "wire": "effortMax", "type": {"kind": "list", "element": {
 "kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"},
 "default": false}]}, {"name": "robots::JointState",
-"doc": "Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list\nis empty if its quantity is not known, and as long as `name` otherwise.",
+"doc": "A JointState is the state of all joints of an arm, in chain order: CRTK's measured_js and\nsetpoint_js. A list is empty if its quantity is not known, and as long as `name` otherwise.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
 "capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {

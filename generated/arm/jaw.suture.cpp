@@ -159,7 +159,7 @@ constexpr char kJawDescription[] = R"json(
 "unit": "N.m"}, {"name": "effort_max", "wire": "effortMax", "type": {"kind": "list", "element": {
 "kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"},
 "default": false}]}, {"name": "robots::JointState",
-"doc": "Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list\nis empty if its quantity is not known, and as long as `name` otherwise.",
+"doc": "A JointState is the state of all joints of an arm, in chain order: CRTK's measured_js and\nsetpoint_js. A list is empty if its quantity is not known, and as long as `name` otherwise.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
 "capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
@@ -168,17 +168,18 @@ constexpr char kJawDescription[] = R"json(
 "kind": "time", "clock": "steady"}}, {"name": "valid",
 "doc": "If it is false, do not use the state.", "type": {"kind": "Bool"}, "default": false}]}, {
 "name": "robots::JointGoal", "doc": "Says where joints shall go: CRTK's servo_jp and move_jp.",
-"fields": [{"name": "position", "doc": "Has one entry for each joint, in chain order.", "type": {
-"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "stamp",
-"type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointEffortGoal",
-"doc": "Is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.", "fields": [
-{"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "N.m"}, {"name": "mask",
-"doc": "Is optional, and says which joints count; if it is empty, all do.", "type": {
-"kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}]}, {"name": "suture::Message", "fields": [{"name": "text",
-"doc": "Is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.", "type": {
-"kind": "text", "capacity": 255}}, {"name": "code",
+"fields": [{"name": "position", "doc": "There is one entry for each joint, in chain order.",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {
+"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}, {
+"name": "robots::JointEffortGoal",
+"doc": "A JointEffortGoal is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.",
+"fields": [{"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8
+}, "unit": "N.m"}, {"name": "mask",
+"doc": "The mask says which joints count; if it is empty, all do.", "type": {"kind": "list",
+"element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}, {"name": "suture::Message", "fields": [{"name": "text",
+"doc": "The text is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
 "doc": "Says what it is about, by numbers that its sender documents; 0 means nothing in particular.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
 "doc": "Counts the messages of its sender, of all three kinds together, from 1. A gap says that the\nlistener has missed some; a number seen before says that the last one was sent again.",

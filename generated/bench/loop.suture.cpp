@@ -87,19 +87,19 @@ constexpr char kLoopServerDescription[] = R"json(
 "name": "echo", "kind": "write", "ordinal": 1, "doc": "The value that bounce() took.", "payload": {
 "type": {"kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}], "enums": [], "structs": [{
 "name": "robots::PosePrm",
-"doc": "Has the fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
+"doc": "A PosePrm has the fields of the cisst libraries' prmPositionCartesianGet, the type of the\npaper's measurements.",
 "fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "automatic_timestamp", "wire": "automaticTimestamp",
-"doc": "Is true if the provider stamps the data itself.", "type": {"kind": "Bool"}, "default": true
-}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}, {"name": "moving_frame",
-"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
-"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
-"doc": "Is the moving frame in the reference frame.", "type": {"kind": "isometry",
-"scalar": "Float64"}, "unit": "m"}]}], "wire": [{"id": "@0xf31a590efb54d189", "kind": "interface",
-"name": "LoopServer", "cxx": "bench::LoopServer", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xa1763febd61d7208"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "put", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
+"doc": "This is true if the provider stamps the data itself.", "type": {"kind": "Bool"},
+"default": true}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}, {
+"name": "moving_frame", "wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {
+"name": "reference_frame", "wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {
+"name": "position", "doc": "The moving frame is here in the reference frame.", "type": {
+"kind": "isometry", "scalar": "Float64"}, "unit": "m"}]}], "wire": [{"id": "@0xf31a590efb54d189",
+"kind": "interface", "name": "LoopServer", "cxx": "bench::LoopServer", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xa1763febd61d7208"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "put", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
 "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
 "at": 2, "name": "bounce", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
 "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {

@@ -85,12 +85,12 @@ constexpr char kSampleServerDescription[] = R"json(
 "ordinal": 1, "doc": "The value that bounce() took.", "payload": {"type": {"kind": "struct",
 "name": "robots::PoseSample"}}, "queue": 16}], "enums": [], "structs": [{
 "name": "robots::PoseSample",
-"doc": "Is the pose of the latency measurements: 120 bytes and no strings.", "fields": [{
-"name": "rotation", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {
-"name": "position", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "m"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {"name": "sequence",
-"type": {"kind": "UInt64"}, "default": 0}, {"name": "flags", "type": {"kind": "UInt64"},
-"default": 0}]}], "wire": [{"id": "@0xa9d747a8e40c3d30", "kind": "interface",
+"doc": "A PoseSample is the pose of the latency measurements: 120 bytes and no strings.",
+"fields": [{"name": "rotation", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 3}}, {"name": "position", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "m"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "sequence", "type": {"kind": "UInt64"}, "default": 0}, {"name": "flags", "type": {
+"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0xa9d747a8e40c3d30", "kind": "interface",
 "name": "SampleServer", "cxx": "bench::SampleServer", "members": [{"at": 0, "name": "subscribe",
 "parameters": [{"at": 0, "name": "events", "is": "@0xc71bdb510deae77a"}, {"at": 1,
 "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,

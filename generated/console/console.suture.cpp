@@ -104,8 +104,8 @@ constexpr char kConsoleDescription[] = R"json(
 "value": 5, "wire": "leaving",
 "doc": "bring_down() is under way, or a bring-up that failed is taken back"}]}], "structs": [{
 "name": "suture::Message", "fields": [{"name": "text",
-"doc": "Is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.", "type": {
-"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "The text is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
 "doc": "Says what it is about, by numbers that its sender documents; 0 means nothing in particular.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
 "doc": "Counts the messages of its sender, of all three kinds together, from 1. A gap says that the\nlistener has missed some; a number seen before says that the last one was sent again.",

@@ -196,29 +196,29 @@ constexpr char kDrivesDescription[] = R"json(
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "effort",
-"doc": "Is what the motors give beside what holds the joints and carries the arm. All together is cut\nto what a motor can give.",
+"doc": "The motors give this beside what holds the joints and carries the arm. All together is cut to\nwhat a motor can give.",
 "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "N.m"}, {
 "name": "released",
-"doc": "Has an entry for each joint of the chain, not for each actuator. A joint for which it is true\nis not held: its position here has no effect. At more than its rate limit it is slowed down.",
+"doc": "There is an entry for each joint of the chain, not for each actuator. A joint for which it is\ntrue is not held: its position here has no effect. At more than its rate limit it is slowed\ndown.",
 "type": {"kind": "array", "element": {"kind": "Bool"}, "length": 8}}, {
 "name": "gravity_compensation", "wire": "gravityCompensation",
 "doc": "If it is true, the motors carry the arm's weight. It counts until the next goal, also after\nthe stream has ended.",
 "type": {"kind": "Bool"}, "default": true}]}, {"name": "robots::DriveFeedback",
-"doc": "Is what the drives measure in each of their cycles. It is of actuators, in the order of the\njoints of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which\nnothing drives. coupling.h says how the actuators of an arm turn its joints; most are their\njoint. The actuator of a prismatic joint has m, m/s and N.",
+"doc": "A DriveFeedback is what the drives measure in each of their cycles. It is of actuators, in the\norder of the joints of the chain, and of the tool behind them: a slave's jaw, or a master's\ngripper, which nothing drives. coupling.h says how the actuators of an arm turn its joints; most\nare their joint. The actuator of a prismatic joint has m, m/s and N.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "velocity",
 "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad/s"}, {
 "name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {"name": "power", "type": {
 "kind": "enum", "name": "robots::DrivePower"}, "default": "NotReady"}, {"name": "permitted",
-"doc": "Is when they were last permitted to have power. If this changes, they have stopped meanwhile,\nor are other drives, which an arm may not have seen.",
+"doc": "They were last permitted to have power at this time. If this changes, they have stopped\nmeanwhile, or are other drives, which an arm may not have seen.",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "stamp",
-"doc": "Is that of the drives' cycle.", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "effort", "doc": "Is what the motors give, as their currents show it.", "type": {
+"doc": "The stamp is that of the drives' cycle.", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "effort", "doc": "The motors give these efforts, as their currents show them.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "N.m"}, {
 "name": "measures_effort", "wire": "measuresEffort",
-"doc": "Is true if `effort` is measured. Joints that are simulated without mass need none, and have 0;\nso does a simulated jaw, which has no mass whatever this says.",
+"doc": "This is true if `effort` is measured. Joints that are simulated without mass need none, and\nhave 0; so does a simulated jaw, which has no mass whatever this says.",
 "type": {"kind": "Bool"}, "default": false}, {"name": "controls_effort", "wire": "controlsEffort",
-"doc": "Is true if the drives obey what a goal says beside positions. Joints that are simulated\nwithout mass have no effort, so their drives follow positions only.",
+"doc": "This is true if the drives obey what a goal says beside positions. Joints that are simulated\nwithout mass have no effort, so their drives follow positions only.",
 "type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x91efda82df1adc01",
 "kind": "interface", "name": "Drives", "cxx": "robots::Drives", "members": [{"at": 0,
 "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xe59a5d931070aa84"}, {

@@ -15,10 +15,10 @@
 
 namespace robots {
 
-/// Is what the drives measure in each of their cycles. It is of actuators, in the order of the
-/// joints of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which
-/// nothing drives. coupling.h says how the actuators of an arm turn its joints; most are their
-/// joint. The actuator of a prismatic joint has m, m/s and N.
+/// A DriveFeedback is what the drives measure in each of their cycles. It is of actuators, in the
+/// order of the joints of the chain, and of the tool behind them: a slave's jaw, or a master's
+/// gripper, which nothing drives. coupling.h says how the actuators of an arm turn its joints; most
+/// are their joint. The actuator of a prismatic joint has m, m/s and N.
 struct DriveFeedbackSlot {
   std::array<double, 8> position;  // rad
   std::array<double, 8> velocity;  // rad/s

@@ -117,7 +117,7 @@ constexpr char kGuidanceDescription[] = R"json(
 "hash": "64bae6c767a3a15b052609c5193c0b34", "commands": [{"name": "guidance_state", "kind": "read",
 "ordinal": 1, "wire": "guidanceState", "result": {"type": {"kind": "enum",
 "name": "robots::GuidanceState"}}, "queue": 16}, {"name": "progress", "kind": "read", "ordinal": 2,
-"doc": "Is updated even while the guide waits for something, as far as the knot has been seen.",
+"doc": "The guide updates this even while it waits for something, as far as the knot has been seen.",
 "result": {"type": {"kind": "struct", "name": "robots::GuidanceProgress"}}, "queue": 16}, {
 "name": "enable", "kind": "void", "ordinal": 3,
 "doc": "Enables and homes arms that are not, then guides. This also works after an arm was disabled or\nrestarted. It does not enable an arm in FAULT: the operator who has removed the cause does.",
@@ -137,19 +137,20 @@ constexpr char kGuidanceDescription[] = R"json(
 "name": "Clutched", "value": 4, "wire": "clutched",
 "doc": "a pedal takes the masters from their slaves, or nobody is at the console: both\nslaves hold, and the masters are the surgeon's to move"
 }]}], "structs": [{"name": "robots::GuidanceProgress", "fields": [{"name": "knot",
-"doc": "Is where the knot is by the last sighting and by what the tips have moved since, in the scene.",
+"doc": "The knot is here by the last sighting and by what the tips have moved since, in the scene.",
 "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {
 "name": "distance_to_target", "wire": "distanceToTarget",
-"doc": "Is the distance along the line of approach; it is below zero behind the target.", "type": {
-"kind": "Float64"}, "unit": "m", "default": 0.0}, {"name": "lateral_error", "wire": "lateralError",
-"doc": "Is the distance from the line of approach.", "type": {"kind": "Float64"}, "unit": "m",
-"default": 0.0}, {"name": "stamp", "doc": "Is that of the guide's cycle.", "type": {"kind": "time",
-"clock": "steady"}}, {"name": "valid", "doc": "Is false unless the knot has been seen lately.",
-"type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xf839a0ec32e2aeaf",
-"kind": "interface", "name": "Guidance", "cxx": "robots::Guidance", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xf87738b35a660df1"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
-"at": 1, "name": "guidanceState", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"doc": "The knot has this distance to go along the line of approach; it is below zero behind the\ntarget.",
+"type": {"kind": "Float64"}, "unit": "m", "default": 0.0}, {"name": "lateral_error",
+"wire": "lateralError", "doc": "The knot has this distance from the line of approach.", "type": {
+"kind": "Float64"}, "unit": "m", "default": 0.0}, {"name": "stamp",
+"doc": "The stamp is that of the guide's cycle.", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "valid", "doc": "This is false unless the knot has been seen lately.", "type": {
+"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xf839a0ec32e2aeaf", "kind": "interface",
+"name": "Guidance", "cxx": "robots::Guidance", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xf87738b35a660df1"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "guidanceState", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x909952bd3e04c1b4"
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "progress", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,

@@ -74,7 +74,7 @@ class Required<robots::Guidance> : public RequiredBase {
 
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::guidance_state, std::uint8_t> guidance_state{*this, Id::guidance_state};
-  /// Is updated even while the guide waits for something, as far as the knot has been seen.
+  /// The guide updates this even while it waits for something, as far as the knot has been seen.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::progress, robots::GuidanceProgressSlot> progress{*this, Id::progress};
   /// Enables and homes arms that are not, then guides. This also works after an arm was disabled or

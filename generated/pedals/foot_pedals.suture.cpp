@@ -88,26 +88,27 @@ constexpr char kFootPedalsDescription[] = R"json(
 "doc": "If it is true, masters move the camera instead of their slaves.", "type": {"kind": "Bool"},
 "default": false}, {"name": "coagulation", "doc": "If it is true, energy is applied to the tissue.",
 "type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
-"doc": "Is the cycle in which they were looked at.", "type": {"kind": "time", "clock": "steady"}}]}
-], "wire": [{"id": "@0xeef483a34001461c", "kind": "interface", "name": "FootPedals",
-"cxx": "robots::FootPedals", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xeb48eb818a9b108b"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "pedals", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xcff309898affe286"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xeb48eb818a9b108b", "kind": "interface", "name": "FootPedalsEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xec8fc265517e6c7c"}]}, {"at": 1,
-"name": "clutch", "parameters": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1,
-"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "camera", "parameters": [{"at": 0,
-"name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3,
-"name": "coagulation", "parameters": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1,
-"name": "stamp", "is": "Int64"}]}]}, {"id": "@0xec8fc265517e6c7c", "kind": "struct",
-"name": "FootPedalsStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "pedals", "is": "@0xcff309898affe286"}]}, {"id": "@0xcff309898affe286", "kind": "struct",
-"name": "PedalState", "members": [{"at": 0, "name": "clutch", "is": "Bool"}, {"at": 1,
-"name": "camera", "is": "Bool"}, {"at": 2, "name": "coagulation", "is": "Bool"}, {"at": 3,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
+"doc": "The stamp is that of the cycle in which they were looked at.", "type": {"kind": "time",
+"clock": "steady"}}]}], "wire": [{"id": "@0xeef483a34001461c", "kind": "interface",
+"name": "FootPedals", "cxx": "robots::FootPedals", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xeb48eb818a9b108b"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "pedals", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xcff309898affe286"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xeb48eb818a9b108b", "kind": "interface",
+"name": "FootPedalsEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xec8fc265517e6c7c"}]}, {"at": 1, "name": "clutch", "parameters": [{"at": 0,
+"name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2,
+"name": "camera", "parameters": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "coagulation", "parameters": [{"at": 0,
+"name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xec8fc265517e6c7c", "kind": "struct", "name": "FootPedalsStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "pedals", "is": "@0xcff309898affe286"}]}, {
+"id": "@0xcff309898affe286", "kind": "struct", "name": "PedalState", "members": [{"at": 0,
+"name": "clutch", "is": "Bool"}, {"at": 1, "name": "camera", "is": "Bool"}, {"at": 2,
+"name": "coagulation", "is": "Bool"}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}]
+})json";
 
 }  // namespace
 }  // namespace robots

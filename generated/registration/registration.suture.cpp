@@ -91,7 +91,7 @@ constexpr char kRegistrationDescription[] = R"json(
 {"name": "robots::Registration", "doc": "Commands run in the registration's own thread.",
 "hash": "ab7f70fec1652e961132ed089669aac1", "commands": [{"name": "frames", "kind": "read",
 "ordinal": 1,
-"doc": "Are the frames as they were registered last; each rotation is one to 1e-6. Ask with\n`frames.at(stamp)` for those to which an image or a pose of that stamp belongs.",
+"doc": "Returns the frames as they were registered last; each rotation is one to 1e-6. Ask with\n`frames.at(stamp)` for those to which an image or a pose of that stamp belongs.",
 "result": {"type": {"kind": "struct", "name": "robots::SceneFrames"}}, "queue": 16}, {
 "name": "set_camera", "kind": "write", "ordinal": 2, "wire": "setCamera",
 "doc": "Says that the left camera has been moved there. It is ignored, with a warning, unless its\nrotation is one.",
@@ -101,13 +101,13 @@ constexpr char kRegistrationDescription[] = R"json(
 "fields": [{"name": "left_base", "wire": "leftBase", "type": {"kind": "isometry",
 "scalar": "Float64"}, "unit": "m"}, {"name": "right_base", "wire": "rightBase", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "camera",
-"doc": "Is the left camera: x to the right and y downward in the image, z ahead.", "type": {
-"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "tissue",
-"doc": "Is the z of the tissue's surface.", "type": {"kind": "Float64"}, "unit": "m",
+"doc": "The left camera is here, with x to the right and y downward in the image, z ahead.",
+"type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "tissue",
+"doc": "The tissue's surface has this z.", "type": {"kind": "Float64"}, "unit": "m",
 "default": -0.16}, {"name": "left_master", "wire": "leftMaster", "type": {"kind": "isometry",
 "scalar": "Float64"}, "unit": "m"}, {"name": "right_master", "wire": "rightMaster", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "display",
-"doc": "Is the picture that the surgeon looks at, with the axes of the camera: x to the right and y\ndownward in it, z ahead.",
+"doc": "The surgeon looks at a picture here, with the axes of the camera: x to the right and y\ndownward in it, z ahead.",
 "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}]}], "wire": [{
 "id": "@0xe9484f8fbd271c3f", "kind": "interface", "name": "Registration",
 "cxx": "robots::Registration", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,

@@ -74,7 +74,7 @@ class Required<robots::Registration> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Are the frames as they were registered last; each rotation is one to 1e-6. Ask with
+  /// Returns the frames as they were registered last; each rotation is one to 1e-6. Ask with
   /// `frames.at(stamp)` for those to which an image or a pose of that stamp belongs.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::frames, robots::SceneFramesSlot> frames{*this, Id::frames};

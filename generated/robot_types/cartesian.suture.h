@@ -8,7 +8,8 @@
 
 namespace robots {
 
-/// Is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's prmVelocityCartesianGet.
+/// A Twist is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's
+/// prmVelocityCartesianGet.
 struct TwistSlot {
   std::array<double, 3> linear;   // Eigen::Vector3d, m/s
   std::array<double, 3> angular;  // Eigen::Vector3d, rad/s
@@ -22,7 +23,8 @@ bool store(const Twist& value, TwistSlot& slot);
 void load(const TwistSlot& slot, Twist& value);
 void shiftStamps(TwistSlot& slot, suture::Duration shift);
 
-/// Is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's prmVelocityCartesianSet.
+/// A TwistGoal is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's
+/// prmVelocityCartesianSet.
 struct TwistGoalSlot {
   std::array<double, 3> linear;                // Eigen::Vector3d, m/s
   std::array<double, 3> angular;               // Eigen::Vector3d, rad/s
@@ -36,8 +38,8 @@ bool store(const TwistGoal& value, TwistGoalSlot& slot);
 void load(const TwistGoalSlot& slot, TwistGoal& value);
 void shiftStamps(TwistGoalSlot& slot, suture::Duration shift);
 
-/// Is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to cisst's
-/// prmForceCartesianGet.
+/// A Wrench is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to
+/// cisst's prmForceCartesianGet.
 struct WrenchSlot {
   std::array<double, 3> force;   // Eigen::Vector3d, N
   std::array<double, 3> torque;  // Eigen::Vector3d, N.m
@@ -52,7 +54,8 @@ bool store(const Wrench& value, WrenchSlot& slot);
 void load(const WrenchSlot& slot, Wrench& value);
 void shiftStamps(WrenchSlot& slot, suture::Duration shift);
 
-/// Is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's prmForceCartesianSet.
+/// A WrenchGoal is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's
+/// prmForceCartesianSet.
 struct WrenchGoalSlot {
   std::array<double, 3> force;   // Eigen::Vector3d, N
   std::array<double, 3> torque;  // Eigen::Vector3d, N.m
@@ -64,8 +67,8 @@ bool store(const WrenchGoal& value, WrenchGoalSlot& slot);
 void load(const WrenchGoalSlot& slot, WrenchGoal& value);
 void shiftStamps(WrenchGoalSlot& slot, suture::Duration shift);
 
-/// Is pose, velocity and force of one instant, as CRTK's measured_cs says it. Corresponds to
-/// cisst's prmStateCartesian.
+/// A CartesianState is pose, velocity and force of one instant, as CRTK's measured_cs says it.
+/// Corresponds to cisst's prmStateCartesian.
 struct CartesianStateSlot {
   std::uint32_t moving_frame;
   std::uint32_t reference_frame;
@@ -84,7 +87,8 @@ bool store(const CartesianState& value, CartesianStateSlot& slot);
 void load(const CartesianStateSlot& slot, CartesianState& value);
 void shiftStamps(CartesianStateSlot& slot, suture::Duration shift);
 
-/// Is a pose to reach, and how to get there. Corresponds to cisst's prmPositionCartesianSet.
+/// A CartesianGoal is a pose to reach, and how to get there. Corresponds to cisst's
+/// prmPositionCartesianSet.
 struct CartesianGoalSlot {
   std::array<double, 12> goal;                 // Eigen::Isometry3d, m
   std::array<double, 3> linear_velocity;       // Eigen::Vector3d, m/s
@@ -102,7 +106,7 @@ bool store(const CartesianGoal& value, CartesianGoalSlot& slot);
 void load(const CartesianGoalSlot& slot, CartesianGoal& value);
 void shiftStamps(CartesianGoalSlot& slot, suture::Duration shift);
 
-/// Has position, velocity and effort in one servo command. Corresponds to cisst's
+/// A ServoCartesian has position, velocity and effort in one servo command. Corresponds to cisst's
 /// prmServoCartesian.
 struct ServoCartesianSlot {
   std::array<double, 12> task_frame;       // Eigen::Isometry3d, m
@@ -131,7 +135,7 @@ struct HalfPlaneGainsSlot {
 bool store(const HalfPlaneGains& value, HalfPlaneGainsSlot& slot);
 void load(const HalfPlaneGainsSlot& slot, HalfPlaneGains& value);
 
-/// Is the same about an axis.
+/// These gains hold about an axis in the same way.
 struct AngularHalfPlaneGainsSlot {
   std::array<double, 3> p;         // Eigen::Vector3d, N.m/rad
   std::array<double, 3> d;         // Eigen::Vector3d, N.m.s/rad
@@ -142,8 +146,8 @@ struct AngularHalfPlaneGainsSlot {
 bool store(const AngularHalfPlaneGains& value, AngularHalfPlaneGainsSlot& slot);
 void load(const AngularHalfPlaneGainsSlot& slot, AngularHalfPlaneGains& value);
 
-/// Is a spring that holds the tool tip, per axis and side. Corresponds to cisst's
-/// prmCartesianImpedance.
+/// A CartesianImpedance is a spring that holds the tool tip, per axis and side. Corresponds to
+/// cisst's prmCartesianImpedance.
 struct CartesianImpedanceSlot {
   std::array<double, 9> force_orientation;   // Eigen::Matrix3d
   std::array<double, 3> force_position;      // Eigen::Vector3d, m

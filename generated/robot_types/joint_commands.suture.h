@@ -48,7 +48,7 @@ void load(const JointVelocitySlot& slot, JointVelocity& value);
 void reserve(const JointVelocitySlot*, JointVelocity& value);
 void shiftStamps(JointVelocitySlot& slot, suture::Duration shift);
 
-/// Is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.
+/// A JointVelocityGoal is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.
 struct JointVelocityGoalSlot {
   suture::BoundedList<double, 8> goal;          // rad/s
   suture::BoundedList<double, 8> acceleration;  // rad/s2
@@ -63,7 +63,7 @@ void load(const JointVelocityGoalSlot& slot, JointVelocityGoal& value);
 void reserve(const JointVelocityGoalSlot*, JointVelocityGoal& value);
 void shiftStamps(JointVelocityGoalSlot& slot, suture::Duration shift);
 
-/// Is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.
+/// A JointEffortGoal is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.
 struct JointEffortGoalSlot {
   suture::BoundedList<double, 8> effort;  // N.m
   suture::BoundedList<std::uint8_t, 8> mask;
@@ -95,7 +95,8 @@ bool store(const JointConfiguration& value, JointConfigurationSlot& slot);
 void load(const JointConfigurationSlot& slot, JointConfiguration& value);
 void reserve(const JointConfigurationSlot*, JointConfiguration& value);
 
-/// Has position, velocity and effort in one servo command; corresponds to cisst's prmServoJoint.
+/// A ServoJoint has position, velocity and effort in one servo command; corresponds to cisst's
+/// prmServoJoint.
 struct ServoJointSlot {
   suture::BoundedList<suture::BoundedText<15>, 8> name;
   suture::BoundedList<std::uint16_t, 8> mode;
@@ -126,7 +127,8 @@ bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot);
 void load(const ActuatorJointCouplingSlot& slot, ActuatorJointCoupling& value);
 void reserve(const ActuatorJointCouplingSlot*, ActuatorJointCoupling& value);
 
-/// Is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
+/// A Jacobian is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint
+/// velocity.
 struct JacobianSlot {
   std::uint32_t joints;
   suture::BoundedList<double, 48> coefficients;

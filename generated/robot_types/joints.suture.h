@@ -8,8 +8,8 @@
 
 namespace robots {
 
-/// Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list
-/// is empty if its quantity is not known, and as long as `name` otherwise.
+/// A JointState is the state of all joints of an arm, in chain order: CRTK's measured_js and
+/// setpoint_js. A list is empty if its quantity is not known, and as long as `name` otherwise.
 struct JointStateSlot {
   suture::BoundedList<suture::BoundedText<15>, 8> name;
   suture::BoundedList<double, 8> position;  // rad
@@ -35,7 +35,8 @@ void load(const JointGoalSlot& slot, JointGoal& value);
 void reserve(const JointGoalSlot*, JointGoal& value);
 void shiftStamps(JointGoalSlot& slot, suture::Duration shift);
 
-/// Is a joint vector that an arm computed, without heap so that a control loop may return it.
+/// A JointSolution is a joint vector that an arm computed, without heap so that a control loop may
+/// return it.
 struct JointSolutionSlot {
   std::array<double, 8> position;  // rad
   std::uint32_t joints;

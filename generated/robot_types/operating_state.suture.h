@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// Is CRTK's operating_state.
+/// An OperatingState is CRTK's operating_state.
 struct OperatingStateSlot {
   std::uint8_t state;  // ArmState
   suture::BoundedText<15> sub_state;

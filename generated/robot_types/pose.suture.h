@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// Is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
+/// A PoseStamped is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
 struct PoseStampedSlot {
   std::array<double, 12> pose;  // Eigen::Isometry3d, m
   std::int64_t stamp;           // suture::Time, ns
@@ -33,7 +33,7 @@ bool store(const TransformStamped& value, TransformStampedSlot& slot);
 void load(const TransformStampedSlot& slot, TransformStamped& value);
 void shiftStamps(TransformStampedSlot& slot, suture::Duration shift);
 
-/// Is the pose of the latency measurements: 120 bytes and no strings.
+/// A PoseSample is the pose of the latency measurements: 120 bytes and no strings.
 struct PoseSampleSlot {
   std::array<double, 9> rotation;  // Eigen::Matrix3d
   std::array<double, 3> position;  // Eigen::Vector3d, m
@@ -46,8 +46,8 @@ bool store(const PoseSample& value, PoseSampleSlot& slot);
 void load(const PoseSampleSlot& slot, PoseSample& value);
 void shiftStamps(PoseSampleSlot& slot, suture::Duration shift);
 
-/// Has the fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's
-/// measurements.
+/// A PosePrm has the fields of the cisst libraries' prmPositionCartesianGet, the type of the
+/// paper's measurements.
 struct PosePrmSlot {
   std::int64_t timestamp;            // suture::Time, ns
   std::uint8_t automatic_timestamp;  // bool

@@ -8,7 +8,8 @@
 
 namespace robots {
 
-/// Has the poses of several tools at once. Corresponds to cisst's prmPositionCartesianArrayGet.
+/// A PoseArray has the poses of several tools at once. Corresponds to cisst's
+/// prmPositionCartesianArrayGet.
 struct PoseArraySlot {
   suture::BoundedText<15> reference_frame;
   suture::BoundedList<suture::BoundedText<15>, 16> moving_frames;
@@ -38,7 +39,7 @@ void load(const ImageFrameSlot& slot, ImageFrame& value);
 void reserve(const ImageFrameSlot*, ImageFrame& value);
 void shiftStamps(ImageFrameSlot& slot, suture::Duration shift);
 
-/// Is a pinhole camera with its distortion. Corresponds to cisst's prmCameraInfo.
+/// A CameraInfo is a pinhole camera with its distortion. Corresponds to cisst's prmCameraInfo.
 struct CameraInfoSlot {
   std::uint32_t width;
   std::uint32_t height;
@@ -54,7 +55,7 @@ bool store(const CameraInfo& value, CameraInfoSlot& slot);
 void load(const CameraInfoSlot& slot, CameraInfo& value);
 void shiftStamps(CameraInfoSlot& slot, suture::Duration shift);
 
-/// Is a cloud of coloured points. Corresponds to cisst's prmDepthMap.
+/// A DepthMap is a cloud of coloured points. Corresponds to cisst's prmDepthMap.
 struct DepthMapSlot {
   suture::BoundedText<15> reference_frame;
   std::uint32_t width;

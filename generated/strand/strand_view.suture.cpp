@@ -75,20 +75,20 @@ constexpr suture::CommandInfo kStrandViewCommands[] = {
 constexpr char kStrandViewDescription[] = R"json(
 {"name": "robots::StrandView", "hash": "3d0e0f11a53e375943417b4b324a46bf", "commands": [{
 "name": "strand", "kind": "read", "ordinal": 1,
-"doc": "Is the strand as it is at the end of the simulation's last cycle, which is its stamp.",
+"doc": "Returns the strand as it is at the end of the simulation's last cycle, which is its stamp.",
 "result": {"type": {"kind": "struct", "name": "robots::StrandState"}}, "queue": 16}], "events": [],
 "enums": [], "structs": [{"name": "robots::StrandState", "fields": [{"name": "nodes",
 "doc": "Go from the left tip over the knot, which is the middle column, to the right tip, in the\nscene's frame.",
 "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 61}, "unit": "m"}, {
 "name": "left_length", "wire": "leftLength",
-"doc": "Is the length of the strand between the left tip and the knot.", "type": {"kind": "Float64"
+"doc": "The strand has this length between the left tip and the knot.", "type": {"kind": "Float64"
 }, "unit": "m", "default": 0.0}, {"name": "left_tension", "wire": "leftTension",
 "doc": "The tensions pull at the links beside the knot, from either side.", "type": {
 "kind": "Float64"}, "unit": "N", "default": 0.0}, {"name": "right_tension", "wire": "rightTension",
 "type": {"kind": "Float64"}, "unit": "N", "default": 0.0}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}, {"name": "valid",
-"doc": "Is false before both tips are known, and apart from each other.", "type": {"kind": "Bool"},
-"default": false}]}], "wire": [{"id": "@0xffcefa0bd4f32fb9", "kind": "interface",
+"doc": "This is false before both tips are known, and apart from each other.", "type": {
+"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xffcefa0bd4f32fb9", "kind": "interface",
 "name": "StrandView", "cxx": "robots::StrandView", "members": [{"at": 0, "name": "subscribe",
 "parameters": [{"at": 0, "name": "events", "is": "@0xf34a05754eaad965"}, {"at": 1,
 "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,

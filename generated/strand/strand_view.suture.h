@@ -62,7 +62,7 @@ class Required<robots::StrandView> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Is the strand as it is at the end of the simulation's last cycle, which is its stamp.
+  /// Returns the strand as it is at the end of the simulation's last cycle, which is its stamp.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::strand, robots::StrandStateSlot> strand{*this, Id::strand};
 

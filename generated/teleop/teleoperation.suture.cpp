@@ -199,7 +199,7 @@ constexpr char kTeleoperationDescription[] = R"json(
 "doc": "Stops following. The slave holds.", "queue": 16}, {"name": "teleop_state", "kind": "read",
 "ordinal": 3, "wire": "teleopState", "result": {"type": {"kind": "enum",
 "name": "robots::TeleopState"}}, "queue": 16}, {"name": "anchors", "kind": "read", "ordinal": 4,
-"doc": "Are the anchors of the present or last time of following.", "result": {"type": {
+"doc": "Returns the anchors of the present or last time of following.", "result": {"type": {
 "kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16}, {"name": "set_scale",
 "kind": "write", "ordinal": 5, "wire": "setScale", "parameters": [{"name": "scale", "type": {
 "kind": "Float64"}, "range": [0.01, 10.0]}], "queue": 16}, {"name": "lock_rotation",
@@ -229,16 +229,16 @@ constexpr char kTeleoperationDescription[] = R"json(
 }]}], "structs": [{"name": "robots::FollowAnchors",
 "doc": "Says where following began: with this and the master's poses, anyone can compute what the slave\nshould do.",
 "fields": [{"name": "master_stamp", "wire": "masterStamp",
-"doc": "Is the stamp of the first master pose that was followed.", "type": {"kind": "time",
+"doc": "The first master pose that was followed has this stamp.", "type": {"kind": "time",
 "clock": "steady"}}, {"name": "master",
-"doc": "Is the master's measured pose at that stamp, in the master's reference frame.", "type": {
-"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "slave_setpoint",
+"doc": "The master's measured pose was this at that stamp, in the master's reference frame.",
+"type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "slave_setpoint",
 "wire": "slaveSetpoint",
-"doc": "Is the slave's set-point at entry, in the slave's reference frame.", "type": {
+"doc": "The slave's set-point was this at entry, in the slave's reference frame.", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "scale",
-"doc": "Is how many metres the slave moves for each metre of the master.", "type": {
-"kind": "Float64"}, "default": 0.0}, {"name": "entry",
-"doc": "Is how many times following began, including this one; 0 if it never did. A change of the\nsettings counts too, and does not move the slave.",
+"doc": "The slave moves this many metres for each metre of the master.", "type": {"kind": "Float64"
+}, "default": 0.0}, {"name": "entry",
+"doc": "Following began this many times, including this one; 0 if it never did. A change of the\nsettings counts too, and does not move the slave.",
 "type": {"kind": "UInt64"}, "default": 0}, {"name": "view",
 "doc": "Rotates directions of the master's reference frame to those of the slave's that look the same\nto the surgeon.",
 "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {
@@ -246,14 +246,14 @@ constexpr char kTeleoperationDescription[] = R"json(
 "name": "translation_locked", "wire": "translationLocked", "type": {"kind": "Bool"},
 "default": false}]}, {"name": "robots::TeleopSettings",
 "doc": "Holds the settings by which the slave follows.", "fields": [{"name": "scale",
-"doc": "Is how many metres the slave moves for each metre of the master.", "type": {
-"kind": "Float64"}, "default": 0.0}, {"name": "rotation_locked", "wire": "rotationLocked", "type": {
-"kind": "Bool"}, "default": false}, {"name": "translation_locked", "wire": "translationLocked",
-"type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x9c2044876661808e",
-"kind": "interface", "name": "Teleoperation", "cxx": "robots::Teleoperation", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xe8de6e374cc63239"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
-"at": 1, "name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"doc": "The slave moves this many metres for each metre of the master.", "type": {"kind": "Float64"
+}, "default": 0.0}, {"name": "rotation_locked", "wire": "rotationLocked", "type": {"kind": "Bool"},
+"default": false}, {"name": "translation_locked", "wire": "translationLocked", "type": {
+"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x9c2044876661808e", "kind": "interface",
+"name": "Teleoperation", "cxx": "robots::Teleoperation", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xe8de6e374cc63239"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "disable", "is": "kind \"void\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
 "name": "teleopState", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",

@@ -129,7 +129,7 @@ class Required<robots::Teleoperation> : public RequiredBase {
   Command<&Contract::disable, NoSlot> disable{*this, Id::disable};
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::teleop_state, std::uint8_t> teleop_state{*this, Id::teleop_state};
-  /// Are the anchors of the present or last time of following.
+  /// Returns the anchors of the present or last time of following.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::anchors, robots::FollowAnchorsSlot> anchors{*this, Id::anchors};
   /// Write: up to 16 wait. `scale` is from 0.01 to 10.

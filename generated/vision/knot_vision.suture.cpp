@@ -70,25 +70,27 @@ constexpr suture::CommandInfo kKnotVisionCommands[] = {
 // The self-description, as in vision/knot_vision.suture.json.
 constexpr char kKnotVisionDescription[] = R"json(
 {"name": "robots::KnotVision", "hash": "3501142906d2f97c6ee13fa414de1248", "commands": [{
-"name": "sighting", "kind": "read", "ordinal": 1, "doc": "Is what the last pair of images showed.",
-"result": {"type": {"kind": "struct", "name": "robots::KnotSighting"}}, "queue": 16}], "events": [],
-"enums": [], "structs": [{"name": "robots::KnotSighting",
-"doc": "Is in the frame of the left camera: x to the right and y downward in the image, z ahead.",
+"name": "sighting", "kind": "read", "ordinal": 1,
+"doc": "Returns what the last pair of images showed.", "result": {"type": {"kind": "struct",
+"name": "robots::KnotSighting"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
+"name": "robots::KnotSighting",
+"doc": "Its points are in the frame of the left camera: x to the right and y downward in the image, z\nahead.",
 "fields": [{"name": "knot", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
 }, "unit": "m"}, {"name": "left_tip", "wire": "leftTip", "type": {"kind": "matrix",
 "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {"name": "right_tip",
 "wire": "rightTip", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "m"}, {"name": "stamp", "doc": "Is when the images were exposed.", "type": {"kind": "time",
-"clock": "steady"}}, {"name": "valid", "doc": "Is false unless both eyes see all three.", "type": {
-"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xd18623f4fbc55b4a", "kind": "interface",
-"name": "KnotVision", "cxx": "robots::KnotVision", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xe0f71ba712630172"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "sighting", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x952267eec9de3f8a"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe0f71ba712630172", "kind": "interface",
-"name": "KnotVisionEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xfa13a8593a8dcb16"}]}]}, {"id": "@0xfa13a8593a8dcb16", "kind": "struct",
+"unit": "m"}, {"name": "stamp", "doc": "The images were exposed at this time.", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid",
+"doc": "This is false unless both eyes see all three.", "type": {"kind": "Bool"}, "default": false}
+]}], "wire": [{"id": "@0xd18623f4fbc55b4a", "kind": "interface", "name": "KnotVision",
+"cxx": "robots::KnotVision", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xe0f71ba712630172"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "sighting",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0x952267eec9de3f8a"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}]}, {"id": "@0xe0f71ba712630172", "kind": "interface", "name": "KnotVisionEvents",
+"members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
+"is": "@0xfa13a8593a8dcb16"}]}]}, {"id": "@0xfa13a8593a8dcb16", "kind": "struct",
 "name": "KnotVisionStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
 "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
 "name": "sighting", "is": "@0x952267eec9de3f8a"}]}, {"id": "@0x952267eec9de3f8a", "kind": "struct",

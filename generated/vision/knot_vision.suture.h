@@ -15,7 +15,8 @@
 
 namespace robots {
 
-/// Is in the frame of the left camera: x to the right and y downward in the image, z ahead.
+/// Its points are in the frame of the left camera: x to the right and y downward in the image, z
+/// ahead.
 struct KnotSightingSlot {
   std::array<double, 3> knot;       // Eigen::Vector3d, m
   std::array<double, 3> left_tip;   // Eigen::Vector3d, m
@@ -62,7 +63,7 @@ class Required<robots::KnotVision> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Is what the last pair of images showed.
+  /// Returns what the last pair of images showed.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::sighting, robots::KnotSightingSlot> sighting{*this, Id::sighting};
 

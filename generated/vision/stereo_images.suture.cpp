@@ -85,10 +85,10 @@ constexpr suture::CommandInfo kStereoImagesCommands[] = {
 constexpr char kStereoImagesDescription[] = R"json(
 {"name": "robots::StereoImages", "hash": "afed174675115ccf925dea30a59e7bd5", "commands": [{
 "name": "images", "kind": "read", "ordinal": 1,
-"doc": "Is the last pair; it is not valid while there is nothing to see.", "result": {"type": {
-"kind": "struct", "name": "robots::StereoPair"}}, "queue": 16}, {"name": "exposed", "kind": "read",
-"ordinal": 2,
-"doc": "Is the stamp of the last pair, and 0 while there is nothing to see. A client that asks this\nfirst copies megabytes only if they are new.",
+"doc": "Returns the last pair; it is not valid while there is nothing to see.", "result": {
+"type": {"kind": "struct", "name": "robots::StereoPair"}}, "queue": 16}, {"name": "exposed",
+"kind": "read", "ordinal": 2,
+"doc": "Returns the stamp of the last pair, and 0 while there is nothing to see. A client that asks\nthis first copies megabytes only if they are new.",
 "result": {"type": {"kind": "time", "clock": "steady"}}, "queue": 16}], "events": [], "enums": [],
 "structs": [{"name": "robots::ImageFrame", "doc": "Corresponds to cisst's prmImageFrame.",
 "fields": [{"name": "width", "type": {"kind": "UInt32"}, "default": 0}, {"name": "height", "type": {

@@ -63,11 +63,11 @@ class Required<robots::StereoImages> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Is the last pair; it is not valid while there is nothing to see.
+  /// Returns the last pair; it is not valid while there is nothing to see.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::images, robots::StereoPairSlot> images{*this, Id::images};
-  /// Is the stamp of the last pair, and 0 while there is nothing to see. A client that asks this
-  /// first copies megabytes only if they are new.
+  /// Returns the stamp of the last pair, and 0 while there is nothing to see. A client that asks
+  /// this first copies megabytes only if they are new.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::exposed, std::int64_t> exposed{*this, Id::exposed};
 

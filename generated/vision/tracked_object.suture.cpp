@@ -38,7 +38,7 @@ constexpr suture::CommandInfo kTrackedObjectCommands[] = {
 // The self-description, as in vision/tracked_object.suture.json.
 constexpr char kTrackedObjectDescription[] = R"json(
 {"name": "robots::TrackedObject",
-"doc": "Is a ball in the frame of the left camera: x to the right and y downward in the image, z ahead.\nIt has no orientation, so that of its pose is the camera's.",
+"doc": "A TrackedObject is a ball in the frame of the left camera: x to the right and y downward in the\nimage, z ahead. It has no orientation, so that of its pose is the camera's.",
 "hash": "6bed34eb9aee4b7278b34e35020ef06a", "crtk": true, "commands": [{"name": "measured_cp",
 "kind": "read", "ordinal": 1, "wire": "measuredCp",
 "doc": "Says where it is at the stamp, which is that of the tracker's cycle: images are old when they\ncome, and this is what they showed, extrapolated by its velocity. It is not valid unless the\nlast pair of images showed it, and not long ago.",
@@ -47,14 +47,15 @@ constexpr char kTrackedObjectDescription[] = R"json(
 "doc": "Says how fast it moves; it is valid when the pose is.", "result": {"type": {
 "kind": "struct", "name": "robots::Twist"}}, "queue": 16}], "events": [], "enums": [], "structs": [
 {"name": "robots::PoseStamped",
-"doc": "Is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [
-{"name": "pose", "doc": "Is the moving frame of the interface in its reference frame.", "type": {
+"doc": "A PoseStamped is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.",
+"fields": [{"name": "pose",
+"doc": "The pose is that of the interface's moving frame in its reference frame.", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
-"doc": "Is when the pose was true; for a set-point it is the stamp of the data from which it was made.",
+"doc": "The pose was true at this time; for a set-point it is the stamp of the data from which it was\nmade.",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
 "doc": "If it is false, do not use it.", "type": {"kind": "Bool"}, "default": false}]}, {
 "name": "robots::Twist",
-"doc": "Is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's prmVelocityCartesianGet.",
+"doc": "A Twist is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's\nprmVelocityCartesianGet.",
 "fields": [{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64",
 "rows": 3, "columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame",

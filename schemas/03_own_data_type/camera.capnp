@@ -8,11 +8,11 @@ $Cxx.namespace("tracking::wire");
 $Meta.header("03_own_data_type/camera.h");
 
 struct CameraParameters @0xae270534326f144a $Meta.cxx("tracking::CameraParameters") {
-  # Are given by the deployment file as JSON, including the whole observation.
+  # The deployment file gives these as JSON, including the whole observation.
 
   first @0 :Observation.Observation;
-  # Is what the camera sees first.
+  # The camera sees this first.
   turnRate @1 :Float64 = 0.5 $Meta.cxx("turn_rate") $Meta.range(lowest = -10, highest = 10)
       $Meta.unit("rad/s");
-  # Is how fast the instrument turns about its own z axis.
+  # The instrument turns this fast about its own z axis.
 }

@@ -19,15 +19,16 @@ struct Marker @0x8dd86c5318c04d7e $Meta.cxx("tracking::Marker") {
 }
 
 struct Observation @0xb007f771f460d934 $Meta.cxx("tracking::Observation") {
-  # Is what a tracking camera knows of a surgical instrument at one moment, in the camera's frame.
+  # An Observation is what a tracking camera knows of a surgical instrument at one moment, in the
+  # camera's frame.
 
   instrument @0 :Text $Meta.capacity([31]);
   visibility @1 :Visibility;
   tip @2 :Types.Pose $Meta.unit("m");
-  # Is the pose of its tip.
+  # The tip of the instrument has this pose.
   markers @3 :List(Marker) $Meta.capacity([8]);
-  # Are the markers that are seen.
+  # The camera sees these markers.
   jawAngle @4 :Float64 $Meta.cxx("jaw_angle") $Meta.range(lowest = 0, highest = 1.6)
       $Meta.unit("rad");
-  # Is how far its jaws are open.
+  # The jaws of the instrument are open this far.
 }

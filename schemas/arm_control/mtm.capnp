@@ -44,7 +44,7 @@ struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
   # An effort that is above what the joint may take for longer than this faults the arm too.
   angularAcceleration @9 :Float64 = 40.0 $Meta.cxx("angular_acceleration")
       $Meta.range(lowest = 0.1, highest = 1000) $Meta.unit("rad/s2");
-  # Is how fast the joints may speed up and slow down in a move. Nothing is published of what they
+  # The joints may speed up and slow down this fast in a move. Nothing is published of what they
   # can do, so this is our own. The da Vinci Research Kit's moves keep to 0.785 rad/s2, the roll's
   # to 6.28 (mtsIntuitiveResearchKitMTM.cpp: m_trajectory_j.a_max).
 }

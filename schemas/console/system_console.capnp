@@ -9,10 +9,10 @@ $Meta.header("console/system_console.h");
 struct SystemConsoleParameters @0xff4a2484b55948bb $Meta.cxx("robots::SystemConsoleParameters") {
   period @0 :Int64 = 10000000 $Meta.period("1/1000000000");
   system @1 :List(Text) $Meta.capacity([8, 15]);
-  # Are the parts that the system has, in the order in which they are brought up: names of
-  # required interfaces of this console. All arms come before what moves them.
+  # The system has these parts, and brings them up in this order: names of required interfaces of
+  # this console. All arms come before what moves them.
   patience @2 :Int64 = 10000000000 $Meta.period("1/1000000000");
-  # Is how long an arm may take to be enabled, all of them to home, and a part to be left.
+  # An arm may take this long to be enabled, all of them to home, and a part to be left.
   bringUpByItself @3 :Bool $Meta.cxx("bring_up_by_itself");
   # If it is true, the console brings the system up once, without being asked, when everything is
   # there. It does not if an arm has homed before: then the console was restarted, and somebody

@@ -22,13 +22,13 @@ struct RigidBodyOptions @0xebb0c1af002736b6 $Meta.cxx("robots::RigidBodyOptions"
   quantisation @1 :Bool = true;
   # If it is true, encoders read whole counts.
   noise @2 :Float64 $Meta.range(lowest = 0, highest = 1000);
-  # Is the standard deviation of the noise of encoders, in counts.
+  # The noise of encoders has this standard deviation, in counts.
   seed @3 :UInt32 = 1;
   # Equal seeds, goals and times give equal noise.
   brakes @4 :Bool = true;
   # If it is true, brakes hold the joints without power. The PSM and the MTM of the da Vinci
   # Classic have none, so what their motors carried sinks then.
   currentGain @5 :Float64 = 1.0 $Meta.cxx("current_gain") $Meta.range(lowest = 0.1, highest = 100);
-  # Is the share of each motor's current that sensors measure. Motors never give more than they
-  # can, so a test must cause an over-current: a sensor that measures too much is one to the arm.
+  # Sensors measure this share of each motor's current. Motors never give more than they can, so a
+  # test must cause an over-current: a sensor that measures too much is one to the arm.
 }

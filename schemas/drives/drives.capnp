@@ -19,10 +19,10 @@ enum DrivePower @0xd2f9073be1a76833 $Meta.cxx("robots::DrivePower") $Meta.underl
 }
 
 struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
-  # Is what the drives measure in each of their cycles. It is of actuators, in the order of the
-  # joints of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which
-  # nothing drives. coupling.h says how the actuators of an arm turn its joints; most are their
-  # joint. The actuator of a prismatic joint has m, m/s and N.
+  # A DriveFeedback is what the drives measure in each of their cycles. It is of actuators, in the
+  # order of the joints of the chain, and of the tool behind them: a slave's jaw, or a master's
+  # gripper, which nothing drives. coupling.h says how the actuators of an arm turn its joints; most
+  # are their joint. The actuator of a prismatic joint has m, m/s and N.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.
@@ -30,17 +30,17 @@ struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
   joints @2 :UInt32;
   power @3 :DrivePower;
   permitted @4 :Int64 $Meta.clock("steady");
-  # Is when they were last permitted to have power. If this changes, they have stopped meanwhile,
-  # or are other drives, which an arm may not have seen.
+  # They were last permitted to have power at this time. If this changes, they have stopped
+  # meanwhile, or are other drives, which an arm may not have seen.
   stamp @5 :Int64 $Meta.clock("steady");
-  # Is that of the drives' cycle.
+  # The stamp is that of the drives' cycle.
   effort @6 :List(Float64) $Meta.shape("8") $Meta.unit("N.m");
-  # Is what the motors give, as their currents show it.
+  # The motors give these efforts, as their currents show them.
   measuresEffort @7 :Bool $Meta.cxx("measures_effort");
-  # Is true if `effort` is measured. Joints that are simulated without mass need none, and have 0;
-  # so does a simulated jaw, which has no mass whatever this says.
+  # This is true if `effort` is measured. Joints that are simulated without mass need none, and
+  # have 0; so does a simulated jaw, which has no mass whatever this says.
   controlsEffort @8 :Bool $Meta.cxx("controls_effort");
-  # Is true if the drives obey what a goal says beside positions. Joints that are simulated
+  # This is true if the drives obey what a goal says beside positions. Joints that are simulated
   # without mass have no effort, so their drives follow positions only.
 }
 
@@ -52,11 +52,12 @@ struct DriveGoal @0xe3033c33c5a1f822 $Meta.cxx("robots::DriveGoal") {
   # The first `joints` entries count.
   joints @1 :UInt32;
   effort @2 :List(Float64) $Meta.shape("8") $Meta.unit("N.m");
-  # Is what the motors give beside what holds the joints and carries the arm. All together is cut
-  # to what a motor can give.
+  # The motors give this beside what holds the joints and carries the arm. All together is cut to
+  # what a motor can give.
   released @3 :List(Bool) $Meta.shape("8");
-  # Has an entry for each joint of the chain, not for each actuator. A joint for which it is true
-  # is not held: its position here has no effect. At more than its rate limit it is slowed down.
+  # There is an entry for each joint of the chain, not for each actuator. A joint for which it is
+  # true is not held: its position here has no effect. At more than its rate limit it is slowed
+  # down.
   gravityCompensation @4 :Bool = true $Meta.cxx("gravity_compensation");
   # If it is true, the motors carry the arm's weight. It counts until the next goal, also after
   # the stream has ended.

@@ -20,13 +20,13 @@ struct MtmDrivesParameters @0xe72c8047229da521 $Meta.cxx("robots::MtmDrivesParam
   period @1 :Int64 = 667000 $Meta.period("1/1000000000");
   timeConstant @2 :Float64 = 0.01 $Meta.cxx("time_constant")
       $Meta.range(lowest = 1e-04, highest = 10) $Meta.unit("s");
-  # Is how far the measured joints trail their goal: here, the hand that moves the master.
+  # The measured joints trail their goal by this time: here, the hand that moves the master.
   angularRate @3 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
       $Meta.unit("rad/s");
-  # Is how fast the joints can be.
+  # The joints can be this fast.
   permit @4 :Int64 = 30000000 $Meta.period("1/1000000000");
-  # Is how old the permit of the emergency stop may be: from 1 ms to 1 s. With 0, power needs
-  # none, as on a bench where nobody can be hurt; a stop that is connected still takes it.
+  # The permit of the emergency stop may be this old: from 1 ms to 1 s. With 0, power needs none,
+  # as on a bench where nobody can be hurt; a stop that is connected still takes it.
   dynamics @5 :DriveDynamics.DriveDynamics;
   # Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
   # `time_constant` does not count.

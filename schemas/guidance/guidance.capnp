@@ -24,17 +24,18 @@ enum GuidanceState @0x909952bd3e04c1b4 $Meta.cxx("robots::GuidanceState") $Meta.
 
 struct GuidanceProgress @0xb62a9e40cb04e11e $Meta.cxx("robots::GuidanceProgress") {
   knot @0 :Types.Vec3 $Meta.unit("m");
-  # Is where the knot is by the last sighting and by what the tips have moved since, in the scene.
+  # The knot is here by the last sighting and by what the tips have moved since, in the scene.
   removed1 @1 :Float64 $Meta.cxx("to_go") $Meta.removed("toGo") $Meta.unit("m");
   removed2 @2 :Float64 $Meta.removed("aside") $Meta.unit("m");
   stamp @3 :Int64 $Meta.clock("steady");
-  # Is that of the guide's cycle.
+  # The stamp is that of the guide's cycle.
   valid @4 :Bool;
-  # Is false unless the knot has been seen lately.
+  # This is false unless the knot has been seen lately.
   distanceToTarget @5 :Float64 $Meta.cxx("distance_to_target") $Meta.unit("m");
-  # Is the distance along the line of approach; it is below zero behind the target.
+  # The knot has this distance to go along the line of approach; it is below zero behind the
+  # target.
   lateralError @6 :Float64 $Meta.cxx("lateral_error") $Meta.unit("m");
-  # Is the distance from the line of approach.
+  # The knot has this distance from the line of approach.
 }
 
 interface Guidance @0xf839a0ec32e2aeaf $Meta.cxx("robots::Guidance") {
@@ -46,7 +47,7 @@ interface Guidance @0xf839a0ec32e2aeaf $Meta.cxx("robots::Guidance") {
   guidanceState @1 (sent :Rpc.Sent) -> (value :GuidanceState, stamp :Int64)
       $Meta.cxx("guidance_state") $Meta.kind("read");
   progress @2 (sent :Rpc.Sent) -> (value :GuidanceProgress, stamp :Int64) $Meta.kind("read");
-  # Is updated even while the guide waits for something, as far as the knot has been seen.
+  # The guide updates this even while it waits for something, as far as the knot has been seen.
   enable @3 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Enables and homes arms that are not, then guides. This also works after an arm was disabled or
   # restarted. It does not enable an arm in FAULT: the operator who has removed the cause does.

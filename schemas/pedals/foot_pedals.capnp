@@ -18,7 +18,7 @@ struct PedalState @0xcff309898affe286 $Meta.cxx("robots::PedalState") {
   coagulation @2 :Bool;
   # If it is true, energy is applied to the tissue.
   stamp @3 :Int64 $Meta.clock("steady");
-  # Is the cycle in which they were looked at.
+  # The stamp is that of the cycle in which they were looked at.
 }
 
 interface FootPedals @0xeef483a34001461c $Meta.cxx("robots::FootPedals") {

@@ -10,8 +10,8 @@ $Meta.header("person/gamepad.h");
 struct GamepadParameters @0xf575f5598b106427 $Meta.cxx("robots::GamepadParameters") {
   period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
   file @1 :Text $Meta.capacity([255]);
-  # Is an input device, or a FIFO of its events. A name below /dev/input/by-id stays the same when
-  # others are plugged in.
+  # The file is an input device, or a FIFO of its events. A name below /dev/input/by-id stays the
+  # same when others are plugged in.
   stick @2 :AxisRange.AxisRange;
   trigger @3 :AxisRange.AxisRange;
   deadZone @4 :Float64 = 0.15 $Meta.cxx("dead_zone") $Meta.range(lowest = 0.01, highest = 0.9);

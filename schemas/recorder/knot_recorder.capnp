@@ -9,5 +9,5 @@ $Meta.header("recorder/knot_recorder.h");
 struct KnotRecorderParameters @0xff35084e9452e5ea $Meta.cxx("robots::KnotRecorderParameters") {
   period @0 :Int64 = 20000000 $Meta.period("1/1000000000");
   file @1 :Text $Meta.capacity([255]);
-  # Is the file, with one JSON line for each row. It is replaced at the start.
+  # The file gets one JSON line for each row. It is replaced at the start.
 }

@@ -10,5 +10,5 @@ struct RecorderParameters @0xf93ade88705176f1 $Meta.cxx("robots::RecorderParamet
   period @0 :Int64 $Meta.default("1000000") $Meta.period("1/1000000000");
   # Must be at least as fast as the arm, or cycles are missed.
   file @1 :Text $Meta.capacity([255]);
-  # Is the file, with one JSON line for each record. It is replaced at the start.
+  # The file gets one JSON line for each record. It is replaced at the start.
 }

@@ -16,13 +16,13 @@ struct SceneFrames @0xe63e7e972f06e442 $Meta.cxx("robots::SceneFrames") {
   leftBase @0 :Types.Pose $Meta.cxx("left_base") $Meta.unit("m");
   rightBase @1 :Types.Pose $Meta.cxx("right_base") $Meta.unit("m");
   camera @2 :Types.Pose $Meta.unit("m");
-  # Is the left camera: x to the right and y downward in the image, z ahead.
+  # The left camera is here, with x to the right and y downward in the image, z ahead.
   tissue @3 :Float64 = -0.16 $Meta.unit("m");
-  # Is the z of the tissue's surface.
+  # The tissue's surface has this z.
   leftMaster @4 :Types.Pose $Meta.cxx("left_master") $Meta.unit("m");
   rightMaster @5 :Types.Pose $Meta.cxx("right_master") $Meta.unit("m");
   display @6 :Types.Pose $Meta.unit("m");
-  # Is the picture that the surgeon looks at, with the axes of the camera: x to the right and y
+  # The surgeon looks at a picture here, with the axes of the camera: x to the right and y
   # downward in it, z ahead.
 }
 
@@ -32,7 +32,7 @@ interface Registration @0xe9484f8fbd271c3f $Meta.cxx("robots::Registration") {
   subscribe @0 (events :RegistrationEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   frames @1 (sent :Rpc.Sent) -> (value :SceneFrames, stamp :Int64) $Meta.kind("read");
-  # Are the frames as they were registered last; each rotation is one to 1e-6. Ask with
+  # Returns the frames as they were registered last; each rotation is one to 1e-6. Ask with
   # `frames.at(stamp)` for those to which an image or a pose of that stamp belongs.
   setCamera @2 (camera :Types.Pose $Meta.unit("m"), sent :Rpc.Sent) -> () $Meta.cxx("set_camera")
       $Meta.kind("write") $Meta.queue(16);

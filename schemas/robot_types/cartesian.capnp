@@ -21,7 +21,8 @@ enum ServoMode @0xeed5266eb5c2e892 $Meta.cxx("robots::ServoMode") $Meta.underlyi
 }
 
 struct Twist @0xaa62fba3aef11562 $Meta.cxx("robots::Twist") {
-  # Is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's prmVelocityCartesianGet.
+  # A Twist is a velocity, as CRTK's measured_cv says it. Corresponds to cisst's
+  # prmVelocityCartesianGet.
 
   linear @0 :Types.Vec3 $Meta.unit("m/s");
   angular @1 :Types.Vec3 $Meta.unit("rad/s");
@@ -33,7 +34,8 @@ struct Twist @0xaa62fba3aef11562 $Meta.cxx("robots::Twist") {
 }
 
 struct TwistGoal @0xb9f9a4ea2665be7e $Meta.cxx("robots::TwistGoal") {
-  # Is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's prmVelocityCartesianSet.
+  # A TwistGoal is a velocity to follow, by CRTK's servo_cv. Corresponds to cisst's
+  # prmVelocityCartesianSet.
 
   linear @0 :Types.Vec3 $Meta.unit("m/s");
   angular @1 :Types.Vec3 $Meta.unit("rad/s");
@@ -45,8 +47,8 @@ struct TwistGoal @0xb9f9a4ea2665be7e $Meta.cxx("robots::TwistGoal") {
 }
 
 struct Wrench @0xdefffdcf07aeb2d1 $Meta.cxx("robots::Wrench") {
-  # Is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to cisst's
-  # prmForceCartesianGet.
+  # A Wrench is force and torque at the tool tip, as CRTK's measured_cf says it. Corresponds to
+  # cisst's prmForceCartesianGet.
 
   force @0 :Types.Vec3 $Meta.unit("N");
   torque @1 :Types.Vec3 $Meta.unit("N.m");
@@ -60,7 +62,8 @@ struct Wrench @0xdefffdcf07aeb2d1 $Meta.cxx("robots::Wrench") {
 }
 
 struct WrenchGoal @0x913714b88c44b8c4 $Meta.cxx("robots::WrenchGoal") {
-  # Is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's prmForceCartesianSet.
+  # A WrenchGoal is force and torque to apply, by CRTK's servo_cf. Corresponds to cisst's
+  # prmForceCartesianSet.
 
   force @0 :Types.Vec3 $Meta.unit("N");
   torque @1 :Types.Vec3 $Meta.unit("N.m");
@@ -70,8 +73,8 @@ struct WrenchGoal @0x913714b88c44b8c4 $Meta.cxx("robots::WrenchGoal") {
 }
 
 struct CartesianState @0xe8c20fc8c27161a7 $Meta.cxx("robots::CartesianState") {
-  # Is pose, velocity and force of one instant, as CRTK's measured_cs says it. Corresponds to
-  # cisst's prmStateCartesian.
+  # A CartesianState is pose, velocity and force of one instant, as CRTK's measured_cs says it.
+  # Corresponds to cisst's prmStateCartesian.
 
   movingFrame @0 :UInt32 $Meta.cxx("moving_frame");
   referenceFrame @1 :UInt32 $Meta.cxx("reference_frame");
@@ -87,7 +90,8 @@ struct CartesianState @0xe8c20fc8c27161a7 $Meta.cxx("robots::CartesianState") {
 }
 
 struct CartesianGoal @0xe4d650549dee47fd $Meta.cxx("robots::CartesianGoal") {
-  # Is a pose to reach, and how to get there. Corresponds to cisst's prmPositionCartesianSet.
+  # A CartesianGoal is a pose to reach, and how to get there. Corresponds to cisst's
+  # prmPositionCartesianSet.
 
   goal @0 :Types.Pose $Meta.unit("m");
   linearVelocity @1 :Types.Vec3 $Meta.cxx("linear_velocity") $Meta.unit("m/s");
@@ -103,18 +107,18 @@ struct CartesianGoal @0xe4d650549dee47fd $Meta.cxx("robots::CartesianGoal") {
 }
 
 struct ServoCartesian @0x90f303a4951092d4 $Meta.cxx("robots::ServoCartesian") {
-  # Has position, velocity and effort in one servo command. Corresponds to cisst's
+  # A ServoCartesian has position, velocity and effort in one servo command. Corresponds to cisst's
   # prmServoCartesian.
 
   taskFrame @0 :Types.Pose $Meta.cxx("task_frame") $Meta.unit("m");
-  # Is the frame, in the base frame, whose axes are used below.
+  # The values below are along the axes of this frame, which is given in the base frame.
   position @1 :Types.Pose $Meta.unit("m");
   linearVelocity @2 :Types.Vec3 $Meta.cxx("linear_velocity") $Meta.unit("m/s");
   angularVelocity @3 :Types.Vec3 $Meta.cxx("angular_velocity") $Meta.unit("rad/s");
   force @4 :Types.Vec3 $Meta.unit("N");
   torque @5 :Types.Vec3 $Meta.unit("N.m");
   axisMode @6 :List(ServoMode) $Meta.cxx("axis_mode") $Meta.shape("6");
-  # Are the modes of x, y, z and the rotations about them, in this order.
+  # The modes are those of x, y, z and the rotations about them, in this order.
   stamp @7 :Int64 $Meta.clock("steady");
 }
 
@@ -129,7 +133,7 @@ struct HalfPlaneGains @0xf5adf6b47f45412f $Meta.cxx("robots::HalfPlaneGains") {
 }
 
 struct AngularHalfPlaneGains @0xb5891631aa394628 $Meta.cxx("robots::AngularHalfPlaneGains") {
-  # Is the same about an axis.
+  # These gains hold about an axis in the same way.
 
   p @0 :Types.Vec3 $Meta.unit("N.m/rad");
   d @1 :Types.Vec3 $Meta.unit("N.m.s/rad");
@@ -138,13 +142,13 @@ struct AngularHalfPlaneGains @0xb5891631aa394628 $Meta.cxx("robots::AngularHalfP
 }
 
 struct CartesianImpedance @0xa1baf72e8978a5b3 $Meta.cxx("robots::CartesianImpedance") {
-  # Is a spring that holds the tool tip, per axis and side. Corresponds to cisst's
-  # prmCartesianImpedance.
+  # A CartesianImpedance is a spring that holds the tool tip, per axis and side. Corresponds to
+  # cisst's prmCartesianImpedance.
 
   forceOrientation @0 :Types.Mat3 $Meta.cxx("force_orientation");
   # Holds the axes along which the forces act.
   forcePosition @1 :Types.Vec3 $Meta.cxx("force_position") $Meta.unit("m");
-  # Is where the springs rest.
+  # The springs rest here.
   torqueOrientation @2 :Types.Mat3 $Meta.cxx("torque_orientation");
   # Holds the axes about which the torques act.
   positionPositive @3 :HalfPlaneGains $Meta.cxx("position_positive");

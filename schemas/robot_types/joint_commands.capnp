@@ -30,11 +30,11 @@ struct JointPositionGoal @0xcc0da9976c58b05d $Meta.cxx("robots::JointPositionGoa
 
   goal @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
   velocity @1 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s");
-  # Is optional.
+  # The list may be empty.
   acceleration @2 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s2");
-  # Is optional.
+  # The list may be empty.
   timeLimit @3 :Int64 $Meta.cxx("time_limit") $Meta.period("1/1000000000");
-  # Has no limit if it is 0.
+  # There is no limit if it is 0.
   isCoordinated @4 :Bool = true $Meta.cxx("is_coordinated");
   # If it is true, all joints arrive together.
   stamp @5 :Int64 $Meta.clock("steady");
@@ -49,26 +49,26 @@ struct JointVelocity @0xeb6eb36387c53fe2 $Meta.cxx("robots::JointVelocity") {
 }
 
 struct JointVelocityGoal @0xf166e3d075579061 $Meta.cxx("robots::JointVelocityGoal") {
-  # Is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.
+  # A JointVelocityGoal is the goal of CRTK's servo_jv; corresponds to cisst's prmVelocityJointSet.
 
   goal @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s");
   acceleration @1 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s2");
-  # Is optional.
+  # The list may be empty.
   deceleration @2 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s2");
-  # Is optional.
+  # The list may be empty.
   guard @3 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
-  # Is optional: the positions not to pass.
+  # The joints shall not pass these positions; the list may be empty.
   mask @4 :List(Bool) $Meta.capacity([8]);
-  # Is optional, and says which joints count; if it is empty, all do.
+  # The mask says which joints count; if it is empty, all do.
   stamp @5 :Int64 $Meta.clock("steady");
 }
 
 struct JointEffortGoal @0xd704fc0995280ce6 $Meta.cxx("robots::JointEffortGoal") {
-  # Is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.
+  # A JointEffortGoal is the goal of CRTK's servo_jf; corresponds to cisst's prmForceTorqueJointSet.
 
   effort @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("N.m");
   mask @1 :List(Bool) $Meta.capacity([8]);
-  # Is optional, and says which joints count; if it is empty, all do.
+  # The mask says which joints count; if it is empty, all do.
   stamp @2 :Int64 $Meta.clock("steady");
 }
 
@@ -92,11 +92,12 @@ struct JointConfiguration @0xf723b5ed0dc2d63c $Meta.cxx("robots::JointConfigurat
 }
 
 struct ServoJoint @0xf49c2efeb3512c06 $Meta.cxx("robots::ServoJoint") {
-  # Has position, velocity and effort in one servo command; corresponds to cisst's prmServoJoint.
+  # A ServoJoint has position, velocity and effort in one servo command; corresponds to cisst's
+  # prmServoJoint.
 
   name @0 :List(Text) $Meta.capacity([8, 15]);
   mode @1 :List(UInt16) $Meta.capacity([8]);
-  # Has these bits for each joint: 1 position, 2 velocity, 4 effort.
+  # Each joint has these bits: 1 position, 2 velocity, 4 effort.
   position @2 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
   velocity @3 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s");
   effort @4 :List(Float64) $Meta.capacity([8]) $Meta.unit("N.m");
@@ -122,7 +123,8 @@ struct ActuatorJointCoupling @0xc217034d474a2284 $Meta.cxx("robots::ActuatorJoin
 }
 
 struct Jacobian @0x9172ad0b0a6919ab $Meta.cxx("robots::Jacobian") {
-  # Is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
+  # A Jacobian is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint
+  # velocity.
 
   joints @0 :UInt32;
   coefficients @1 :List(Float64) $Meta.capacity([48]);

@@ -7,8 +7,8 @@ $Cxx.namespace("robots::wire");
 $Meta.header("robot_types/joints.h");
 
 struct JointState @0xac24dfe518a4963f $Meta.cxx("robots::JointState") {
-  # Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list
-  # is empty if its quantity is not known, and as long as `name` otherwise.
+  # A JointState is the state of all joints of an arm, in chain order: CRTK's measured_js and
+  # setpoint_js. A list is empty if its quantity is not known, and as long as `name` otherwise.
 
   name @0 :List(Text) $Meta.capacity([8, 15]);
   position @1 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
@@ -23,12 +23,13 @@ struct JointGoal @0x8943f2eac122865a $Meta.cxx("robots::JointGoal") {
   # Says where joints shall go: CRTK's servo_jp and move_jp.
 
   position @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
-  # Has one entry for each joint, in chain order.
+  # There is one entry for each joint, in chain order.
   stamp @1 :Int64 $Meta.clock("steady");
 }
 
 struct JointSolution @0x871d0a082eb81ee3 $Meta.cxx("robots::JointSolution") {
-  # Is a joint vector that an arm computed, without heap so that a control loop may return it.
+  # A JointSolution is a joint vector that an arm computed, without heap so that a control loop may
+  # return it.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.

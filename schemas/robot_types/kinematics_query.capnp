@@ -21,7 +21,7 @@ struct ForwardKinematicsResponse @0xf4d4f62736e384ee $Meta.cxx("robots::ForwardK
 struct InverseKinematicsRequest @0xe4e42c0ed163244d $Meta.cxx("robots::InverseKinematicsRequest") {
   cp @0 :Types.Pose $Meta.unit("m");
   jp @1 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
-  # Is where the search begins.
+  # The search begins here.
 }
 
 struct InverseKinematicsResponse @0x92a37797402bc4bd $Meta.cxx("robots::InverseKinematicsResponse") {

@@ -7,7 +7,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("robot_types/operating_state.h");
 
 enum ArmState @0xc9ed1800ca1df7eb $Meta.cxx("robots::ArmState") $Meta.underlying("UInt8") {
-  # Are the states of CRTK.
+  # An ArmState is one of the states of CRTK.
 
   undefined @0 $Meta.cxx("Undefined") $Meta.value(0);
   disabled @1 $Meta.cxx("Disabled") $Meta.value(1);
@@ -17,14 +17,14 @@ enum ArmState @0xc9ed1800ca1df7eb $Meta.cxx("robots::ArmState") $Meta.underlying
 }
 
 struct OperatingState @0x8109968bd491318f $Meta.cxx("robots::OperatingState") {
-  # Is CRTK's operating_state.
+  # An OperatingState is CRTK's operating_state.
 
   state @0 :ArmState;
   subState @1 :Text $Meta.capacity([15]) $Meta.cxx("sub_state");
   # Says for people what the arm is doing within its state: "holding", "servo_cp".
   isHomed @2 :Bool $Meta.cxx("is_homed");
   isBusy @3 :Bool $Meta.cxx("is_busy");
-  # Is true while a move is under way; servo commands do not set it.
+  # This is true while a move is under way; servo commands do not set it.
   stamp @4 :Int64 $Meta.clock("steady");
-  # Is when one of the above changed last.
+  # One of the above changed last at this time.
 }

@@ -8,7 +8,8 @@ $Cxx.namespace("robots::wire");
 $Meta.header("robot_types/vision.h");
 
 struct PoseArray @0x82e359ec39f34eeb $Meta.cxx("robots::PoseArray") {
-  # Has the poses of several tools at once. Corresponds to cisst's prmPositionCartesianArrayGet.
+  # A PoseArray has the poses of several tools at once. Corresponds to cisst's
+  # prmPositionCartesianArrayGet.
 
   referenceFrame @0 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
   movingFrames @1 :List(Text) $Meta.capacity([16, 15]) $Meta.cxx("moving_frames");
@@ -31,30 +32,30 @@ struct ImageFrame @0xbc8f68d82913b3fb $Meta.cxx("robots::ImageFrame") {
 }
 
 struct CameraInfo @0x9e06e5f90a5909e5 $Meta.cxx("robots::CameraInfo") {
-  # Is a pinhole camera with its distortion. Corresponds to cisst's prmCameraInfo.
+  # A CameraInfo is a pinhole camera with its distortion. Corresponds to cisst's prmCameraInfo.
 
   width @0 :UInt32;
   height @1 :UInt32;
   distortion @2 :List(Float64) $Meta.shape("5");
-  # Is k1, k2, p1, p2, k3 (Brown and Conrady).
+  # The order is k1, k2, p1, p2, k3 (Brown and Conrady).
   intrinsic @3 :Types.Mat3 $Meta.unit("px");
   rectification @4 :Types.Mat3;
   projection @5 :List(Float64) $Meta.shape("3x4");
-  # Is 3 x 4, of the rectified image.
+  # The matrix is 3 x 4, of the rectified image.
   stamp @6 :Int64 $Meta.clock("steady");
   valid @7 :Bool;
 }
 
 struct DepthMap @0xc2fcffc3788a4bec $Meta.cxx("robots::DepthMap") {
-  # Is a cloud of coloured points. Corresponds to cisst's prmDepthMap.
+  # A DepthMap is a cloud of coloured points. Corresponds to cisst's prmDepthMap.
 
   referenceFrame @0 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
   width @1 :UInt32;
   height @2 :UInt32;
   points @3 :List(Float32) $Meta.capacity([196608]) $Meta.unit("m");
-  # Has x, y, z of each point.
+  # Each point has three entries: x, y, z.
   color @4 :Data $Meta.capacity([196608]);
-  # Has red, green, blue of each point.
+  # Each point has three entries: red, green, blue.
   stamp @5 :Int64 $Meta.clock("steady");
   valid @6 :Bool;
 }

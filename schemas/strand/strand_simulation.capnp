@@ -10,9 +10,9 @@ struct StrandParameters @0x831b7f4df78efb84 $Meta.cxx("robots::StrandParameters"
   period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
   length @1 :Float64 = 0.11 $Meta.range(lowest = 0.02, highest = 1) $Meta.unit("m");
   friction @2 :Float64 = 0.15 $Meta.range(lowest = 0, highest = 1);
-  # Is the coefficient of friction of strand on strand.
+  # Strand on strand has this coefficient of friction.
   wrap @3 :Float64 = 9.42 $Meta.range(lowest = 0, highest = 100) $Meta.unit("rad");
-  # Is how far the strand winds about itself in the knot.
+  # The strand winds about itself by this angle in the knot.
   removed4 @4 :Float64 = -0.16 $Meta.range(lowest = -1, highest = 1) $Meta.removed("floor")
       $Meta.unit("m");
 }

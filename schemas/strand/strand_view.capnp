@@ -12,20 +12,20 @@ struct StrandState @0xa7b70b5e253db6a2 $Meta.cxx("robots::StrandState") {
   # Go from the left tip over the knot, which is the middle column, to the right tip, in the
   # scene's frame.
   leftLength @1 :Float64 $Meta.cxx("left_length") $Meta.unit("m");
-  # Is the length of the strand between the left tip and the knot.
+  # The strand has this length between the left tip and the knot.
   leftTension @2 :Float64 $Meta.cxx("left_tension") $Meta.unit("N");
   # The tensions pull at the links beside the knot, from either side.
   rightTension @3 :Float64 $Meta.cxx("right_tension") $Meta.unit("N");
   stamp @4 :Int64 $Meta.clock("steady");
   valid @5 :Bool;
-  # Is false before both tips are known, and apart from each other.
+  # This is false before both tips are known, and apart from each other.
 }
 
 interface StrandView @0xffcefa0bd4f32fb9 $Meta.cxx("robots::StrandView") {
   subscribe @0 (events :StrandViewEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   strand @1 (sent :Rpc.Sent) -> (value :StrandState, stamp :Int64) $Meta.kind("read");
-  # Is the strand as it is at the end of the simulation's last cycle, which is its stamp.
+  # Returns the strand as it is at the end of the simulation's last cycle, which is its stamp.
 }
 
 interface StrandViewEvents @0xf34a05754eaad965 $Meta.eventsOf("robots::StrandView") {

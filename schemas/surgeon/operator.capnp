@@ -10,21 +10,21 @@ $Meta.header("surgeon/operator.h");
 struct OperatorParameters @0xaf56e73ffd937125 $Meta.cxx("robots::OperatorParameters") {
   period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
   target @1 :Types.Vec3 $Meta.unit("m");
-  # Is where the knot shall be, in the scene.
+  # The knot shall come here, in the scene.
   scale @2 :Float64 = 0.4 $Meta.range(lowest = 0.01, highest = 10);
-  # Is how far the knot moves for a metre of both hands: the scale of the guide, to which
-  # operators adapt themselves.
+  # The knot moves this far for a metre of both hands: the scale of the guide, to which operators
+  # adapt themselves.
   crossoverFrequency @3 :Float64 = 3.0 $Meta.cxx("crossover_frequency")
       $Meta.range(lowest = 0.1, highest = 20) $Meta.unit("rad/s");
   # This and the next three are those of McRuer's model (surgeon/crossover_model.h).
   delay @4 :Int64 = 200000000 $Meta.period("1/1000000000");
-  # Is the time from seeing to moving; not below zero.
+  # This time passes from seeing to moving; it is not below zero.
   remnant @5 :Float64 = 0.01 $Meta.range(lowest = 0, highest = 1);
-  # Is the noise in what is seen: its power in each rad/s divided by the power of the error.
+  # What is seen has this noise: its power in each rad/s divided by the power of the error.
   seed @6 :UInt32 = 1;
   # Equal seeds and pictures give equal noise and tremor.
   tremor @7 :Float64 = 0.0001 $Meta.range(lowest = 0, highest = 0.002) $Meta.unit("m");
-  # Is the root mean square of each hand's tremor (hand/tremor.h).
+  # Each hand's tremor has this root mean square (hand/tremor.h).
   speed @8 :Float64 = 0.2 $Meta.range(lowest = 0.001, highest = 1) $Meta.unit("m/s");
   # The hands go no faster, whatever the error: our own estimate of careful work.
   pictureAge @9 :Int64 = 1000000000 $Meta.cxx("picture_age") $Meta.period("1/1000000000");
@@ -33,7 +33,7 @@ struct OperatorParameters @0xaf56e73ffd937125 $Meta.cxx("robots::OperatorParamet
   forceFeedback @10 :ForceFeedback $Meta.cxx("force_feedback");
   # Says what the hands feel of the slaves.
   stiffness @11 :Float64 = 300.0 $Meta.range(lowest = 0, highest = 5000) $Meta.unit("N/m");
-  # Are how stiffly, and how much damped, each master is drawn to where its slave is known to be.
+  # Each master is drawn this stiffly, and damped this much, to where its slave is known to be.
   damping @12 :Float64 = 3.0 $Meta.range(lowest = 0, highest = 100) $Meta.unit("N.s/m");
   passive @13 :Bool = true;
   # If it is true, the passivity controller works; without it, hands may get more energy than they

@@ -9,12 +9,12 @@ $Meta.header("surgeon/surgeon.h");
 struct SurgeonParameters @0x87be51985ec39338 $Meta.cxx("robots::SurgeonParameters") {
   period @0 :Int64 $Meta.default("1000000") $Meta.period("1/1000000000");
   amplitude @1 :Float64 = 0.1 $Meta.range(lowest = 0, highest = 0.2) $Meta.unit("m");
-  # Is how far the hand swings along its widest axis.
+  # The hand swings this far along its widest axis.
   turn @2 :Float64 = 0.3 $Meta.range(lowest = 0, highest = 1) $Meta.unit("rad");
-  # Is how far it turns about its widest axis.
+  # The hand turns this far about its widest axis.
   frequency @3 :Float64 = 0.3 $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("Hz");
   ramp @4 :Float64 = 1.0 $Meta.range(lowest = 0.1, highest = 100) $Meta.unit("s");
-  # Is how long it takes to reach the full swing.
+  # It takes this long to reach the full swing.
   opening @5 :Float64 = 0.5 $Meta.range(lowest = 0, highest = 1.047) $Meta.unit("rad");
-  # Is how far the fingers open the gripper, as often as the hand swings.
+  # The fingers open the gripper this far, as often as the hand swings.
 }

@@ -10,7 +10,7 @@ $Meta.header("teleop/teleop.h");
 struct TeleopParameters @0xd4e01364c600f6cf $Meta.cxx("robots::TeleopParameters") {
   period @0 :Int64 $Meta.default("1000000") $Meta.period("1/1000000000");
   scale @1 :Float64 = 0.2 $Meta.range(lowest = 0.01, highest = 10);
-  # Is how many metres the slave moves for each metre of the master.
+  # The slave moves this many metres for each metre of the master.
   maxAge @2 :Int64 $Meta.cxx("max_age") $Meta.default("20000000") $Meta.period("1/1000000000");
   # With data older than this following ends, and begins anew when they are fresh again.
   enableAtStart @3 :Bool = true $Meta.cxx("enable_at_start");
@@ -31,13 +31,13 @@ struct TeleopParameters @0xd4e01364c600f6cf $Meta.cxx("robots::TeleopParameters"
   # Say which arms of the registration these are.
   slaveSide @9 :Side.Side $Meta.cxx("slave_side");
   jawScale @10 :Float64 = 1.3333 $Meta.cxx("jaw_scale") $Meta.range(lowest = 0.01, highest = 10);
-  # Are the radians of the jaw for each radian of the gripper, and the angle of the jaw with the
+  # The jaw turns this many radians for each radian of the gripper, from this angle with the
   # gripper at 0: 60 degrees of the gripper are the 80 of the jaw.
   jawOffset @11 :Float64 $Meta.cxx("jaw_offset") $Meta.range(lowest = -2, highest = 2)
       $Meta.unit("rad");
   jawRate @12 :Float64 = 12.566 $Meta.cxx("jaw_rate") $Meta.range(lowest = 0.01, highest = 50)
       $Meta.unit("rad/s");
-  # Are how fast the jaw follows, and how fast it goes to where the gripper is before that.
+  # The jaw follows this fast, and goes this fast to where the gripper is before that.
   jawGhostRate @13 :Float64 = 0.6283 $Meta.cxx("jaw_ghost_rate")
       $Meta.range(lowest = 0.01, highest = 50) $Meta.unit("rad/s");
   jawTolerance @14 :Float64 = 0.0349 $Meta.cxx("jaw_tolerance")

@@ -27,15 +27,15 @@ struct FollowAnchors @0x8cdd0eb841f978ce $Meta.cxx("robots::FollowAnchors") {
   # should do.
 
   masterStamp @0 :Int64 $Meta.clock("steady") $Meta.cxx("master_stamp");
-  # Is the stamp of the first master pose that was followed.
+  # The first master pose that was followed has this stamp.
   master @1 :Types.Pose $Meta.unit("m");
-  # Is the master's measured pose at that stamp, in the master's reference frame.
+  # The master's measured pose was this at that stamp, in the master's reference frame.
   slaveSetpoint @2 :Types.Pose $Meta.cxx("slave_setpoint") $Meta.unit("m");
-  # Is the slave's set-point at entry, in the slave's reference frame.
+  # The slave's set-point was this at entry, in the slave's reference frame.
   scale @3 :Float64;
-  # Is how many metres the slave moves for each metre of the master.
+  # The slave moves this many metres for each metre of the master.
   entry @4 :UInt64;
-  # Is how many times following began, including this one; 0 if it never did. A change of the
+  # Following began this many times, including this one; 0 if it never did. A change of the
   # settings counts too, and does not move the slave.
   view @5 :Types.Mat3;
   # Rotates directions of the master's reference frame to those of the slave's that look the same
@@ -58,7 +58,7 @@ interface Teleoperation @0x9c2044876661808e $Meta.cxx("robots::Teleoperation") {
   teleopState @3 (sent :Rpc.Sent) -> (value :TeleopState, stamp :Int64) $Meta.cxx("teleop_state")
       $Meta.kind("read");
   anchors @4 (sent :Rpc.Sent) -> (value :FollowAnchors, stamp :Int64) $Meta.kind("read");
-  # Are the anchors of the present or last time of following.
+  # Returns the anchors of the present or last time of following.
   setScale @5 (scale :Float64 $Meta.range(lowest = 0.01, highest = 10), sent :Rpc.Sent) -> ()
       $Meta.cxx("set_scale") $Meta.kind("write") $Meta.queue(16);
   lockRotation @6 (lock :Bool, sent :Rpc.Sent) -> () $Meta.cxx("lock_rotation") $Meta.kind("write")
@@ -102,7 +102,7 @@ struct TeleopSettings @0xe1eab6cf5390e93b $Meta.cxx("robots::TeleopSettings") {
   # Holds the settings by which the slave follows.
 
   scale @0 :Float64;
-  # Is how many metres the slave moves for each metre of the master.
+  # The slave moves this many metres for each metre of the master.
   rotationLocked @1 :Bool $Meta.cxx("rotation_locked");
   translationLocked @2 :Bool $Meta.cxx("translation_locked");
 }

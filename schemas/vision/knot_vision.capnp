@@ -9,22 +9,23 @@ $Cxx.namespace("robots::wire");
 $Meta.header("vision/knot_vision.h");
 
 struct KnotSighting @0x952267eec9de3f8a $Meta.cxx("robots::KnotSighting") {
-  # Is in the frame of the left camera: x to the right and y downward in the image, z ahead.
+  # Its points are in the frame of the left camera: x to the right and y downward in the image, z
+  # ahead.
 
   knot @0 :Types.Vec3 $Meta.unit("m");
   leftTip @1 :Types.Vec3 $Meta.cxx("left_tip") $Meta.unit("m");
   rightTip @2 :Types.Vec3 $Meta.cxx("right_tip") $Meta.unit("m");
   stamp @3 :Int64 $Meta.clock("steady");
-  # Is when the images were exposed.
+  # The images were exposed at this time.
   valid @4 :Bool;
-  # Is false unless both eyes see all three.
+  # This is false unless both eyes see all three.
 }
 
 interface KnotVision @0xd18623f4fbc55b4a $Meta.cxx("robots::KnotVision") {
   subscribe @0 (events :KnotVisionEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   sighting @1 (sent :Rpc.Sent) -> (value :KnotSighting, stamp :Int64) $Meta.kind("read");
-  # Is what the last pair of images showed.
+  # Returns what the last pair of images showed.
 }
 
 interface KnotVisionEvents @0xe0f71ba712630172 $Meta.eventsOf("robots::KnotVision") {

@@ -19,11 +19,11 @@ interface StereoImages @0xefa57eee714fcf37 $Meta.cxx("robots::StereoImages") {
   subscribe @0 (events :StereoImagesEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   images @1 (sent :Rpc.Sent) -> (value :StereoPair, stamp :Int64) $Meta.kind("read");
-  # Is the last pair; it is not valid while there is nothing to see.
+  # Returns the last pair; it is not valid while there is nothing to see.
   exposed @2 (sent :Rpc.Sent) -> (value :Int64 $Meta.clock("steady"), stamp :Int64)
       $Meta.kind("read");
-  # Is the stamp of the last pair, and 0 while there is nothing to see. A client that asks this
-  # first copies megabytes only if they are new.
+  # Returns the stamp of the last pair, and 0 while there is nothing to see. A client that asks
+  # this first copies megabytes only if they are new.
 }
 
 interface StereoImagesEvents @0xed57a378bacd9ffb $Meta.eventsOf("robots::StereoImages") {

@@ -10,8 +10,8 @@ $Cxx.namespace("robots::wire");
 $Meta.header("vision/tracked_object.h");
 
 interface TrackedObject @0xcf966e39ebac7c24 $Meta.cxx("robots::TrackedObject") {
-  # Is a ball in the frame of the left camera: x to the right and y downward in the image, z ahead.
-  # It has no orientation, so that of its pose is the camera's.
+  # A TrackedObject is a ball in the frame of the left camera: x to the right and y downward in the
+  # image, z ahead. It has no orientation, so that of its pose is the camera's.
 
   subscribe @0 (events :TrackedObjectEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.

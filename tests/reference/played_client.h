@@ -13,7 +13,8 @@
 
 namespace reference {
 
-/// Has a control link to a process that the manager knows by name, on a control thread of its own.
+/// Holds a control link to a process that the manager knows by name, on a control thread of its
+/// own.
 class PlayedClient {
  public:
   PlayedClient(const std::string& manager, const std::string& process) {

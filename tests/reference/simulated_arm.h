@@ -19,7 +19,7 @@ struct SUTURE_TYPE() SimulatedArmParameters {
   std::string model;
 };
 
-/// Is where it was last sent to.
+/// The arm is where it was last sent to.
 class SUTURE_COMPONENT() SimulatedArm final : public suture::PeriodicTask, public ArmLike {
  public:
   explicit SimulatedArm(const SimulatedArmParameters& parameters)

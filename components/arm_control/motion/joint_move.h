@@ -30,7 +30,7 @@ class JointMove {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// Is in rad, or m for a prismatic joint.
+  /// A Start is in rad, or in m for a prismatic joint.
   struct Start {
     Joints position;
     Joints velocity = Joints::Zero();  ///< per second

@@ -69,7 +69,7 @@ class MotionStream {
   /// no repetition.
   bool hasFallenSilent(suture::Time now) { return watch_.hasFallenSilent(now); }
 
-  /// Is a set-point within the limits of the joints.
+  /// A Step is a set-point within the limits of the joints.
   struct Step {
     Joints q;
     bool limited = false;  ///< it would lie beyond the limits, and slides along them

@@ -13,10 +13,10 @@ inline double smoothStep(double s) {
   return s * s * s * (10 + s * (6 * s - 15));
 }
 
-/// Is the greatest slope of smoothStep, at s = 1/2.
+/// smoothStep has its greatest slope at s = 1/2.
 constexpr double kSmoothStepPeakSlope = 1.875;
 
-/// Is the greatest second derivative of smoothStep, 10 / sqrt(3).
+/// The second derivative of smoothStep is 10 / sqrt(3) at most.
 constexpr double kSmoothStepPeakCurvature = 5.7735026918962577;
 
 }  // namespace robots

@@ -16,14 +16,14 @@ struct JointStreamGoal {
   typename MotionStream<N>::JointBounds bounds = {};
 };
 
-/// Is what servo_jf asks of motors.
+/// A JointPush is what servo_jf asks of motors.
 template <int N>
 struct JointPush {
   typename MotionStream<N>::Joints effort;  ///< N.m or N; 0 where it is not released
   typename MotionStream<N>::Mask released;
 };
 
-/// Is along the axes in which the goal is given.
+/// A TwistStreamGoal is along the axes in which the goal is given.
 struct TwistStreamGoal {
   kinematics::SpatialVector twist;
   RateRamp<6>::Limits change = {};

@@ -39,7 +39,7 @@ bool seesAll(const robots::CameraPair& cameras, const robots::Strand::Nodes& nod
   return true;
 }
 
-/// Is one eye's view of a scene, on the canvas.
+/// A View is one eye's view of a scene, on the canvas.
 class View {
  public:
   View(Canvas& canvas, const Eigen::Isometry3d& camera, Eye eye)

@@ -19,7 +19,7 @@ struct Break {
   std::vector<RecordedSlave> slaves;  ///< the slaves that have to hold meanwhile
 };
 
-/// Is a break that has happened.
+/// An Outage is a break that has happened.
 struct Outage {
   suture::Time broken, mended;
 };

@@ -24,7 +24,7 @@ namespace {
                            "for processes), or end something");
 }
 
-/// Is a line with two ends by which parent and child wait for each other.
+/// This is a line with two ends by which parent and child wait for each other.
 struct Line {
   explicit Line(const std::string& title) {
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse(title, errno);

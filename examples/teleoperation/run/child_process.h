@@ -10,8 +10,8 @@
 
 namespace demo {
 
-/// Is a process that ends with this program, however this one ends. It does not receive Ctrl-C,
-/// which this program handles.
+/// A ChildProcess is a process that ends with this program, however this one ends. It does not
+/// receive Ctrl-C, which this program handles.
 class ChildProcess {
  public:
   struct Start {

@@ -10,7 +10,7 @@
 
 namespace demo {
 
-/// Belongs to one thread. Is the network of one run.
+/// Belongs to one thread. This is the network of one run.
 class Network {
  public:
   /// `asked` is auto, unix, tcp, tls or namespaces; `lane` is that of all connections. With auto

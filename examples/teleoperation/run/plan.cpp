@@ -23,7 +23,7 @@ using suture::ComponentEntry;
 using suture::ConnectionEntry;
 using suture::ProcessEntry;
 
-// In s: is the period of each teleoperation in the topologies' files; arms and drives have a
+// In s: each teleoperation in the topologies' files has this period; arms and drives have a
 // shorter one. A slower task, such as a camera, keeps its period: how old its data may be is in the
 // file too, and does not follow the rate.
 constexpr double kControlPeriod = 0.001;
@@ -39,8 +39,8 @@ void setDynamics(json& component, const std::string& dynamics) {
   if (kind.ends_with("Drives")) component["parameters"]["dynamics"] = dynamics;
 }
 
-/// Is how old the permit of the emergency stop may be without real-time priorities: on a busy
-/// machine a thread may wait that long for its processor.
+/// Without real-time priorities the permit of the emergency stop may be this old: on a busy machine
+/// a thread may wait that long for its processor.
 constexpr double kPatientPermit = 0.25;  // s
 
 /// Removes from a process what the topology's file says of the scheduling of its threads, which

@@ -35,7 +35,7 @@ struct Options {
 /// Returns how long the run shall last.
 suture::Duration lengthOf(const Options& options);
 
-/// Is one slave that shall follow one master, and where the two are recorded.
+/// This is one slave that shall follow one master, and where the two are recorded.
 struct Following {
   std::string master, slave, teleop;  ///< "process:component"
   std::filesystem::path masterRecording, slaveRecording, teleopRecording;
@@ -48,13 +48,14 @@ struct CutOff {
   bool isFrozen;
 };
 
-/// Is a slave whose cycles are recorded.
+/// A RecordedSlave is a slave whose cycles are recorded.
 struct RecordedSlave {
   std::string name;  ///< "process:component"
   std::filesystem::path recording;
 };
 
-/// Is a knot that shall be placed, and where that is recorded; in the frame of the scene.
+/// A KnotPlacing is a knot that shall be placed, and where that is recorded; in the frame of the
+/// scene.
 struct KnotPlacing {
   std::filesystem::path recording;
   Eigen::Vector3d target, approach;  ///< m; a direction
@@ -62,11 +63,11 @@ struct KnotPlacing {
                          ///< widens before that
 };
 
-/// Is the topology's deployment file with the run's rate, lane, stop, manager and keys, written
-/// into the run's folder. The rate is that of each task whose period the topology's file states as
-/// 1 ms; one with a shorter period, such as an arm, its drives or recorder, runs faster in
-/// proportion. All others keep theirs. For a user without real-time priorities, and while another
-/// demo has them, drives accept an older permit of the emergency stop.
+/// A Plan is the topology's deployment file with the run's rate, lane, stop, manager and keys,
+/// written into the run's folder. The rate is that of each task whose period the topology's file
+/// states as 1 ms; one with a shorter period, such as an arm, its drives or recorder, runs faster
+/// in proportion. All others keep theirs. For a user without real-time priorities, and while
+/// another demo has them, drives accept an older permit of the emergency stop.
 class Plan {
  public:
   /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it

@@ -40,7 +40,7 @@ void blockEndSignals();
 /// workstation for each process.
 class Crew {
  public:
-  /// Is called at the start of the run, when nothing has run, and then whenever every process has
+  /// The run calls this at its start, when nothing has run, and then whenever every process has
   /// reported once more, which each does once a second.
   using Progress = std::function<void(suture::Duration ran, const std::vector<suture::Report>&)>;
 

@@ -8,7 +8,7 @@
 
 namespace demo {
 
-/// Is a value, for set-up code only: the deployment files of one folder.
+/// These are the deployment files of one folder, a value for set-up code only.
 class Topologies {
  public:
   /// Returns those that lie where the build and the installation put them for a program in that

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 using suture::Deployment;
 
-/// Is what a deployment says of one thing: where it belongs, and everything else.
+/// An Entry is what a deployment says of one thing: where it belongs, and everything else.
 struct Entry {
   std::string place;
   json settings;

@@ -8,7 +8,8 @@
 
 namespace demo {
 
-/// Is a value in one of two deployments and in the other; "-" stands for what is not there.
+/// A Difference is a value in one of two deployments and in the other; "-" stands for what is not
+/// there.
 struct Difference {
   std::string subject, first, second;
 };

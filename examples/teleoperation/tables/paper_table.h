@@ -11,7 +11,7 @@
 
 namespace demo {
 
-/// Has the paper's loops, and below them ages of this run, which are of one way: those of the
+/// Shows the paper's loops, and below them ages of this run, which are of one way: those of the
 /// connection to an arm that had the most ages, and enough of them, within a process and between
 /// two. It does not claim that the two are comparable, because they are not.
 class PaperTable {

@@ -353,19 +353,19 @@ constexpr char kAllKindsDescription[] = R"json(
 }, {"name": "text_set", "kind": "write", "ordinal": 5, "wire": "textSet", "payload": {"type": {
 "kind": "text", "capacity": 31}}, "queue": 16}], "enums": [], "structs": [{
 "name": "robots::PosePrm",
-"doc": "Has the fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
+"doc": "A PosePrm has the fields of the cisst libraries' prmPositionCartesianGet, the type of the\npaper's measurements.",
 "fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "automatic_timestamp", "wire": "automaticTimestamp",
-"doc": "Is true if the provider stamps the data itself.", "type": {"kind": "Bool"}, "default": true
-}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}, {"name": "moving_frame",
-"wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
-"wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
-"doc": "Is the moving frame in the reference frame.", "type": {"kind": "isometry",
-"scalar": "Float64"}, "unit": "m"}]}], "wire": [{"id": "@0xf6dce3f368753cbc", "kind": "interface",
-"name": "AllKinds", "cxx": "scenarios::AllKinds", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xdccb6d872bbaa8db"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "clear", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"doc": "This is true if the provider stamps the data itself.", "type": {"kind": "Bool"},
+"default": true}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}, {
+"name": "moving_frame", "wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {
+"name": "reference_frame", "wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {
+"name": "position", "doc": "The moving frame is here in the reference frame.", "type": {
+"kind": "isometry", "scalar": "Float64"}, "unit": "m"}]}], "wire": [{"id": "@0xf6dce3f368753cbc",
+"kind": "interface", "name": "AllKinds", "cxx": "scenarios::AllKinds", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xdccb6d872bbaa8db"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "clear", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "setScalar", "is": "kind \"write\"",
 "parameters": [{"at": 0, "name": "value", "is": "Float64"}, {"at": 1, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "setVector", "is": "kind \"write\"",

@@ -103,7 +103,7 @@ constexpr suture::CommandInfo kCollectingCommands[] = {
 // The self-description, as in suture/standard/collecting.suture.json.
 constexpr char kCollectingDescription[] = R"json(
 {"name": "suture::Collecting",
-"doc": "Is the provided interface \"Collecting\" of every collector (record/state_collector.h,\nrecord/event_collector.h). Its commands run in the collector's own thread; the task that is\nobserved has no part in them.",
+"doc": "Collecting is the provided interface of that name of every collector (record/state_collector.h,\nrecord/event_collector.h). Its commands run in the collector's own thread; the task that is\nobserved has no part in them.",
 "hash": "7d0a0ee41d0e6b9b9423123184f2f5b4", "commands": [{"name": "start_collecting",
 "kind": "void", "ordinal": 1, "wire": "startCollecting",
 "doc": "Begins to record what is produced from now on. Counts begin anew, unless it is collecting\nalready.",

@@ -145,7 +145,7 @@ constexpr suture::EventInfo kLifecycleEvents[] = {
 // The self-description, as in suture/standard/lifecycle.suture.json.
 constexpr char kLifecycleDescription[] = R"json(
 {"name": "suture::Lifecycle",
-"doc": "Is the provided interface \"component\" of every component that a manager has. It is served even\nwhile the component is suspended or faulted.",
+"doc": "Lifecycle is the provided interface \"component\" of every component that a manager has. It is\nserved even while the component is suspended or faulted.",
 "hash": "c0d761ea153a3e16ede74edeb40c58bf", "commands": [{"name": "suspend",
 "kind": "void with return", "ordinal": 1,
 "doc": "Suspends the component, which does nothing from its next cycle on. Returns false if it is not\nrunning.",
@@ -181,27 +181,27 @@ constexpr char kLifecycleDescription[] = R"json(
 }]}], "structs": [{"name": "suture::StateChange",
 "doc": "Says that a component has come into a state.", "fields": [{"name": "state", "type": {
 "kind": "enum", "name": "suture::ComponentState"}, "default": "Constructed"}, {"name": "fault",
-"doc": "Is what was thrown, if the state is Faulted; the end of the text may be cut off.", "type": {
-"kind": "text", "capacity": 255}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}
-], "wire": [{"id": "@0xc0c56c9588a77b40", "kind": "interface", "name": "Lifecycle",
-"cxx": "suture::Lifecycle", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xa4c750cb89591cca"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "suspend",
-"is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"
-}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 2, "name": "resume",
-"is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"
-}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 3, "name": "componentState",
-"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 4, "name": "resumeConnection", "is": "kind \"writeReturn\"",
-"parameters": [{"at": 0, "name": "required", "is": "Text"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc2c9babc8f01c05f"
-}]}]}, {"id": "@0xa4c750cb89591cca", "kind": "interface", "name": "LifecycleEvents", "members": [{
-"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf777f0543682aa19"}]}, {
-"at": 1, "name": "stateChanged", "parameters": [{"at": 0, "name": "value",
-"is": "@0x94110f1e97b939a5"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xf777f0543682aa19", "kind": "struct", "name": "LifecycleStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"doc": "The component threw this, if the state is Faulted; the end of the text may be cut off.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}], "wire": [{"id": "@0xc0c56c9588a77b40", "kind": "interface",
+"name": "Lifecycle", "cxx": "suture::Lifecycle", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xa4c750cb89591cca"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "suspend", "is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 2,
+"name": "resume", "is": "kind \"voidReturn\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 3,
+"name": "componentState", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x8e5bed957aeeb624"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "resumeConnection",
+"is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "required", "is": "Text"}, {"at": 1,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xc2c9babc8f01c05f"}]}]}, {"id": "@0xa4c750cb89591cca", "kind": "interface",
+"name": "LifecycleEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xf777f0543682aa19"}]}, {"at": 1, "name": "stateChanged", "parameters": [{
+"at": 0, "name": "value", "is": "@0x94110f1e97b939a5"}, {"at": 1, "name": "stamp", "is": "Int64"}]}
+]}, {"id": "@0xf777f0543682aa19", "kind": "struct", "name": "LifecycleStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
 "name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "componentState", "is": "@0x8e5bed957aeeb624"
 }]}, {"id": "@0x8e5bed957aeeb624", "kind": "enum", "name": "ComponentState", "members": [{"at": 0,
 "name": "constructed"}, {"at": 1, "name": "configured"}, {"at": 2, "name": "running"}, {"at": 3,

@@ -113,7 +113,7 @@ constexpr char kTaskTimingDescription[] = R"json(
 "doc": "Any task may provide this: `suture::TimingPort timing_{*this};`.",
 "hash": "3f559c6b9501397597b26b0df425de6a", "commands": [{"name": "window", "kind": "read",
 "ordinal": 1,
-"doc": "Is the last whole window, of 1 s unless the task says otherwise; `end` is unset before the\nfirst.",
+"doc": "Returns the last whole window, of 1 s unless the task says otherwise; `end` is unset before\nthe first.",
 "result": {"type": {"kind": "struct", "name": "suture::TaskWindow"}}, "queue": 16}, {
 "name": "cycles", "kind": "read", "ordinal": 2, "doc": "Counts the cycles since the task exists.",
 "result": {"type": {"kind": "UInt64"}}, "queue": 16}, {"name": "skipped", "kind": "read",

@@ -83,8 +83,8 @@ class Required<suture::TaskTiming> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Is the last whole window, of 1 s unless the task says otherwise; `end` is unset before the
-  /// first.
+  /// Returns the last whole window, of 1 s unless the task says otherwise; `end` is unset before
+  /// the first.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::window, TaskWindowSlot> window{*this, Id::window};
   /// Counts the cycles since the task exists.

@@ -48,8 +48,8 @@ constexpr char kLampDescription[] = R"json(
 "kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
 "from": "suture::Messages"}], "enums": [], "structs": [{"name": "suture::Message", "fields": [{
 "name": "text",
-"doc": "Is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.", "type": {
-"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "The text is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
 "doc": "Says what it is about, by numbers that its sender documents; 0 means nothing in particular.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
 "doc": "Counts the messages of its sender, of all three kinds together, from 1. A gap says that the\nlistener has missed some; a number seen before says that the last one was sent again.",

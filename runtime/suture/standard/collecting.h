@@ -24,7 +24,7 @@ struct SUTURE_TYPE() CollectingInterval {
   suture::Duration atLeast{0};                                 ///< between the stamps of two
 };
 
-/// Is the provided interface "Collecting" of every collector (record/state_collector.h,
+/// Collecting is the provided interface of that name of every collector (record/state_collector.h,
 /// record/event_collector.h). Its commands run in the collector's own thread; the task that is
 /// observed has no part in them.
 class SUTURE_INTERFACE() Collecting {

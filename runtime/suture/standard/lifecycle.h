@@ -21,7 +21,7 @@ enum class SUTURE_TYPE() ComponentState : std::uint8_t {
 /// Says that a component has come into a state.
 struct SUTURE_TYPE() StateChange {
   ComponentState state = ComponentState::Constructed;
-  /// Is what was thrown, if the state is Faulted; the end of the text may be cut off.
+  /// The component threw this, if the state is Faulted; the end of the text may be cut off.
   SUTURE_FIELD(capacity(255)) std::string fault;
   suture::Time stamp;
 };
@@ -36,8 +36,8 @@ enum class SUTURE_TYPE() ResumeOutcome : std::uint8_t {
   ProviderLost,  ///< or it is suspended or faulted: a connection to it cannot be resumed
 };
 
-/// Is the provided interface "component" of every component that a manager has. It is served even
-/// while the component is suspended or faulted.
+/// Lifecycle is the provided interface "component" of every component that a manager has. It is
+/// served even while the component is suspended or faulted.
 class SUTURE_INTERFACE() Lifecycle {
  public:
   virtual ~Lifecycle() = default;

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// Is a member of a component:
+/// A MessagePort is a member of a component:
 ///   suture::MessagePort messages_{*this};         others connect to "PSM/Messages"
 ///   messages_.error("the encoder does not answer", kNoEncoder);
 class MessagePort final : private Messages {

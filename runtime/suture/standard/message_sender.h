@@ -11,7 +11,7 @@
 
 namespace suture {
 
-/// Is a member of the component, beside what provides the contract:
+/// A MessageSender is a member of the component, beside what provides the contract:
 ///   suture::Provided<Arm> arm_{*this, "Arm", *this};
 ///   suture::MessageSender<Arm> messages_{arm_};
 ///   messages_.warning("the goal is out of reach");

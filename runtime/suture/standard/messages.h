@@ -10,7 +10,7 @@
 namespace suture {
 
 struct SUTURE_TYPE() Message {
-  /// Is UTF-8, for people. A sender cuts a longer text, and ends it in "..." then.
+  /// The text is UTF-8, for people. A sender cuts a longer text, and ends it in "..." then.
   SUTURE_FIELD(capacity(255)) std::string text;
   /// Says what it is about, by numbers that its sender documents; 0 means nothing in particular.
   std::uint32_t code = 0;

@@ -15,8 +15,8 @@ SUTURE_EXTERNAL_TYPE(TaskWindow, begin, end, cycles, skipped, period, compute);
 class SUTURE_INTERFACE() TaskTiming {
  public:
   virtual ~TaskTiming() = default;
-  /// Is the last whole window, of 1 s unless the task says otherwise; `end` is unset before the
-  /// first.
+  /// Returns the last whole window, of 1 s unless the task says otherwise; `end` is unset before
+  /// the first.
   SUTURE_COMMAND() virtual TaskWindow window() const = 0;
   /// Counts the cycles since the task exists.
   SUTURE_COMMAND() virtual std::uint64_t cycles() const = 0;

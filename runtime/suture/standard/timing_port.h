@@ -9,8 +9,8 @@
 
 namespace suture {
 
-/// Is a member of a task. Its reads are evaluated in the task's thread, and only once a client has
-/// asked for them.
+/// A TimingPort is a member of a task. Its reads are evaluated in the task's thread, and only once
+/// a client has asked for them.
 ///   suture::TimingPort timing_{*this};          others connect to "PSM/Timing"
 class TimingPort final : private TaskTiming {
  public:

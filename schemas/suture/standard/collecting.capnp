@@ -29,7 +29,7 @@ struct CollectingInterval @0xc55fb930b38c9647 $Meta.cxx("suture::CollectingInter
 }
 
 interface Collecting @0xe3eaf7ddf2538295 $Meta.cxx("suture::Collecting") {
-  # Is the provided interface "Collecting" of every collector (record/state_collector.h,
+  # Collecting is the provided interface of that name of every collector (record/state_collector.h,
   # record/event_collector.h). Its commands run in the collector's own thread; the task that is
   # observed has no part in them.
 

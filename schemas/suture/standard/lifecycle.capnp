@@ -24,13 +24,13 @@ struct StateChange @0x94110f1e97b939a5 $Meta.cxx("suture::StateChange") {
 
   state @0 :ComponentState;
   fault @1 :Text $Meta.capacity([255]);
-  # Is what was thrown, if the state is Faulted; the end of the text may be cut off.
+  # The component threw this, if the state is Faulted; the end of the text may be cut off.
   stamp @2 :Int64 $Meta.clock("steady");
 }
 
 interface Lifecycle @0xc0c56c9588a77b40 $Meta.cxx("suture::Lifecycle") {
-  # Is the provided interface "component" of every component that a manager has. It is served even
-  # while the component is suspended or faulted.
+  # Lifecycle is the provided interface "component" of every component that a manager has. It is
+  # served even while the component is suspended or faulted.
 
   subscribe @0 (events :LifecycleEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.

@@ -8,7 +8,7 @@ $Meta.header("suture/standard/messages.h");
 
 struct Message @0xbd6bc34f74980c5d $Meta.cxx("suture::Message") {
   text @0 :Text $Meta.capacity([255]);
-  # Is UTF-8, for people. A sender cuts a longer text, and ends it in "..." then.
+  # The text is UTF-8, for people. A sender cuts a longer text, and ends it in "..." then.
   code @1 :UInt32;
   # Says what it is about, by numbers that its sender documents; 0 means nothing in particular.
   counter @2 :UInt32;

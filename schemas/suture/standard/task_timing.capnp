@@ -36,8 +36,8 @@ interface TaskTiming @0xcfdd32a232e225bc $Meta.cxx("suture::TaskTiming") {
   subscribe @0 (events :TaskTimingEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   window @1 (sent :Rpc.Sent) -> (value :TaskWindow, stamp :Int64) $Meta.kind("read");
-  # Is the last whole window, of 1 s unless the task says otherwise; `end` is unset before the
-  # first.
+  # Returns the last whole window, of 1 s unless the task says otherwise; `end` is unset before
+  # the first.
   cycles @2 (sent :Rpc.Sent) -> (value :UInt64, stamp :Int64) $Meta.kind("read");
   # Counts the cycles since the task exists.
   skipped @3 (sent :Rpc.Sent) -> (value :UInt64, stamp :Int64) $Meta.kind("read");

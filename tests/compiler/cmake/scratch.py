@@ -44,7 +44,7 @@ def install(build, prefix, *options):
 
 
 class Project:
-    """Is a project in a folder of its own, whose path has a space, with its build folder."""
+    """This is a project in a folder of its own, whose path has a space, with its build folder."""
 
     def __init__(self, root, package, generator="Ninja"):
         self.root = root

@@ -89,7 +89,7 @@ def check_bytes(programs, failures):
 
 
 class Copy:
-    """Is the first version in a folder of its own, to edit."""
+    """This is the first version in a folder of its own, to edit."""
 
     def __init__(self, folder, suturec, flags):
         self.root = pathlib.Path(folder) / "copy"

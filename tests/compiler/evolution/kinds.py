@@ -142,7 +142,7 @@ class SUTURE_INTERFACE() Kinds {
 
 TYPES = """
 enum class SUTURE_TYPE() Mode { Off, On };
-/// Has its zero behind another.
+/// A Gear has its zero behind another.
 enum class SUTURE_TYPE() Gear { On = 1, Off = 0 };
 
 struct SUTURE_TYPE() Inner {
@@ -191,7 +191,7 @@ struct External {
 };
 SUTURE_EXTERNAL_TYPE(External, low, high);
 
-/// Is another one, whose constructor says what it is by default.
+/// A Listed is another one, whose constructor says what it is by default.
 struct Listed {
   Listed() : low(-1), high(4) {}
   double low, high;
@@ -230,7 +230,7 @@ template <class Print>
 void forEachAdded(const Record&%(record)s, const Print&%(print)s) {
 %(calls)s}
 
-/// Is told what arrives with a command, whatever its version has.
+/// Hears what arrives with a command, whatever its version has.
 class Receiver : public Kinds {
  public:
   void put(%(parameters)s) final {

@@ -46,7 +46,7 @@ class Keeper final : public suture::Device, public Receiver {
 };
 
 void serve(const std::string& address) {
-  // Members that nothing initialises are 0 in static memory, and in any other what it held.
+  // Members that nothing initialises are 0 in static memory; elsewhere they are whatever it held.
   static Keeper keeper;
   keep(address, "Keeper", keeper);
 }

@@ -26,7 +26,7 @@ def header(text, *includes):
 
 
 class Moves(unittest.TestCase):
-    """Has base/base.h, which part/part.h includes, which user/user.h includes: a target each."""
+    """Holds base/base.h, which part/part.h includes, which user/user.h includes: a target each."""
 
     maxDiff = None
 

@@ -227,7 +227,7 @@ model::Header componentHeader() {
   header.structs = {parameters()};
   model::Component component;
   component.name = "robots::SimulatedArm";
-  component.doc.text = "Is where it was last sent to.";
+  component.doc.text = "The arm is where it was last sent to.";
   component.parameters = "robots::ArmParameters";
   component.ports = {{.member = "arm_",
                       .name = "Arm",

@@ -5,7 +5,7 @@
 
 namespace edited {
 
-/// Is at its goal at once.
+/// This hand is at its goal at once.
 class SUTURE_COMPONENT() Hand final : public suture::EventTask, public Gripper {
  public:
   void move(const Opening& goal) override { opening_ = goal; }

@@ -131,7 +131,7 @@ def handler(edit, command: Command, told):
 
 
 def caller(command: Command, call):
-    """Has the provider take a flood before the call, since its own queue may be shorter than the client's."""
+    """Lets the provider take a flood before the call, since its own queue may be shorter than the client's."""
     flood = ""
     if call.flood:
         flood = (f'  flood("{command.name}", [&] {{ return edits.{command.name}({call.flood}); }});\n'

@@ -62,7 +62,7 @@ class Event:
 
 @dataclasses.dataclass(frozen=True)
 class Side:
-    """Is the contract before the edit, or behind it. A struct "{T}" travels by command, event, row and answer."""
+    """This is the contract before the edit, or behind it. A struct "{T}" travels by command, event, row and answer."""
 
     types: str = ""
     commands: tuple[Command, ...] = ()

@@ -60,7 +60,7 @@ def write_all(folder, edits, version):
 
 
 class Versions:
-    """Has the old locks of all edits, and their new headers beside them."""
+    """Holds the old locks of all edits, and their new headers beside them."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)

@@ -18,7 +18,7 @@ struct SUTURE_TYPE() ArmParameters {
   Mode start = Mode::Disabled;
 };
 
-/// Is where it was last sent to.
+/// The arm is where it was last sent to.
 class SUTURE_COMPONENT() SimulatedArm final : public suture::PeriodicTask, public Arm {
  public:
   explicit SimulatedArm(const ArmParameters& parameters)

@@ -17,12 +17,12 @@
 
 namespace device {
 
-/// Have underlying types that no slot has.
+/// These enums have underlying types that no slot has.
 enum class Grade : char { Fair = 'f', Good = 'g' };
 enum Offset : long long { Below = -5'000'000'000, Above = 5'000'000'000 };
 enum class Mask : unsigned long long { None, All = ~0ull };
 
-/// Has text and bytes as old drivers have them, and integers that no slot has.
+/// A Packet has text and bytes as old drivers have them, and integers that no slot has.
 struct Packet {
   Grade grade = Grade::Good;
   Offset offset = Below;
@@ -158,7 +158,8 @@ enum class SUTURE_TYPE() Status { Ok, Error, Stopped };
 inline double turn(double angle) { return angle; }
 constexpr double gain = 2;
 
-/// Has helpers with the names of its commands, and a parameter whose name reads like another's.
+/// A Stage has helpers with the names of its commands, and a parameter whose name reads like
+/// another's.
 class SUTURE_INTERFACE() Stage {
  public:
   virtual ~Stage() = default;

@@ -17,7 +17,7 @@ namespace invented {
 template <class T, class U>
 concept As = std::same_as<std::remove_const_t<T>, U>;
 
-/// Is a member that has capacity(bounds...).
+/// This is a member that has capacity(bounds...).
 template <class T>
 struct Bounded {
   T& value;
@@ -28,7 +28,7 @@ Bounded<T> bounded(T& value, B... bounds) {
   return {value, {static_cast<unsigned>(bounds)...}};
 }
 
-/// Has numbers with range(lowest, highest), either of which may be infinite.
+/// This member has numbers with range(lowest, highest), either of which may be infinite.
 template <class T>
 struct Ranged {
   T& value;
