@@ -1,4 +1,4 @@
-"""Is a reader's project: the folder in which a page's commands run, and the processes that they start."""
+"""This is a reader's project: the folder in which a page's commands run, and the processes that they start."""
 
 import os
 import re
@@ -18,7 +18,7 @@ PORT = re.compile(r"\b77\d\d\b")
 
 
 class Process:
-    """Is a process of a page that goes on beside it, with all that it has said."""
+    """This is a process of a page that goes on beside it, with all that it has said."""
 
     def __init__(self, text, options):
         self._changed = threading.Condition()

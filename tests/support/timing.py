@@ -21,7 +21,7 @@ def minutes(seconds):
 
 
 class Run:
-    """Is the last run of a preset."""
+    """This is the last run of a preset."""
 
     def __init__(self, build, preset):
         self.preset, self.records = preset, build / preset / "Testing"

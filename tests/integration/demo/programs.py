@@ -17,7 +17,7 @@ PATIENCE = 60  # s; only so that a hang ends the test
 
 
 class Demo:
-    """Is a demo under way, with standard output and error together.
+    """This is a demo under way, with standard output and error together.
 
     Without `real_time` its user may have no real-time priorities: two demos beside each other would take all time of two
     processors from all other processes, so those that have them take turns (CMakeLists.txt).

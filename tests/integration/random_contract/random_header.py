@@ -19,21 +19,21 @@ WAITS = ["", "", "queue(8)", "latest()", "ttl(20ms)", "queue(4), ttl(1s)", "dire
 
 
 class Enum:
-    """Is one enum, perhaps one that cannot be edited: how it is declared, and its enumerators; values.h takes the first, `Second` and `Third`."""
+    """This is one enum, perhaps one that cannot be edited: how it is declared, and its enumerators; values.h takes the first, `Second` and `Third`."""
 
     def __init__(self, head, enumerators):
         self.head, self.enumerators = head, enumerators
 
 
 class Command:
-    """Is a command or an event of a contract, and the types that it names."""
+    """This is a command or an event of a contract, and the types that it names."""
 
     def __init__(self, text, types):
         self.text, self.types = text, types
 
 
 class Header(Types):
-    """Has the name of its seed, and so have its namespaces: any number of headers fit in one program."""
+    """A header has the name of its seed, and so have its namespaces: any number of headers fit in one program."""
 
     pointers = True
 

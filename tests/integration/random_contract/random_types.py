@@ -84,7 +84,7 @@ def includes(text):
 
 
 class Field:
-    """Is one member: its declaration, and the bounds of its levels, which its annotation states unless they are OPEN."""
+    """This is one member: its declaration, and the bounds of its levels, which its annotation states unless they are OPEN."""
 
     def __init__(self, name, type_, bounds=(), owns_heap=False):
         self.name, self.type, self.bounds, self.owns_heap = name, type_, bounds, owns_heap
@@ -125,7 +125,7 @@ class Field:
 
 
 class Types:
-    """Is a set of enums and structs; a later struct may hold an earlier one."""
+    """This is a set of enums and structs; a later struct may hold an earlier one."""
 
     pointers = False  # a std::unique_ptr is nothing that an event or an answer could copy
 
