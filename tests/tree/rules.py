@@ -233,8 +233,22 @@ def check_test_names(root):
                 yield f"{path.relative_to(root)}: the test {name} has {words} words, at most {MAX_WORDS}"
 
 
+# Who reads "Is called when ..." must guess who calls, or what is so.
+WITHOUT_SUBJECT = re.compile(r"^\s*//+<? (Is|Has|Are|Have)\b|//.*[.;] (Is|Has|Are|Have)\b")
+
+
+def check_comments(root):
+    for folder in ("compiler", "runtime", "components", "examples", "tests"):
+        for path in sources(root, folder):
+            if {"errors", "expected"} & set(path.parts):  # what suturec writes, and inputs whose lines are counted
+                continue
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                if found := WITHOUT_SUBJECT.search(line):
+                    yield f"{path.relative_to(root)}:{number}: a comment begins with {found[1] or found[2]}; say who does it, or what is so"
+
+
 CHECKS = [check_layers, check_lanes, check_parts, check_folders, check_compiler_is_alone, check_components_see_public_headers,
-          check_waits, check_observers, check_lengths, check_readmes, check_test_names, check_format]
+          check_waits, check_observers, check_lengths, check_readmes, check_test_names, check_comments, check_format]
 
 
 def main():

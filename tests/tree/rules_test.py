@@ -153,6 +153,14 @@ class Planted(unittest.TestCase):
         self.write("tests/unit/rt/a_test.cpp", "TEST_P(Ring, ARingThatIsFullRefusesTheNext) {}\nTEST(Ring, AFullRingRefusesTheNextOne) {}\n")
         self.expect(rules.check_test_names, "ARingThatIsFullRefusesTheNext has 8 words, at most 7")
 
+    def test_a_comment_without_a_subject(self):
+        self.write("runtime/suture/rt/a.h", "/// Is called when a row is there.\n/// Returns whether it Is there.\n")
+        self.expect(rules.check_comments, "a.h:1: a comment begins with Is")
+
+    def test_a_later_sentence_without_a_subject(self):
+        self.write("runtime/suture/rt/a.h", "/// Any thread. Has all rows.\nint rows;  ///< the rows\n")
+        self.expect(rules.check_comments, "a.h:1: a comment begins with Has")
+
     def test_an_unformatted_source(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")
         self.write("runtime/suture/base/a.h", "int   a ;\n")
