@@ -6,8 +6,8 @@
 namespace suture::compiler::check {
 namespace {
 
-/// Reports what would be said of a required interface whose name suturec does not know: it is found
-/// by that when the component is created.
+/// Reports an annotation of a required interface whose name suturec does not see. By that name the
+/// annotation finds its interface when the component is created.
 void checkUnseen(const model::Port& port, model::Diagnostics& findings) {
   if (!port.optional && !port.maxAgeNanoseconds) return;
   const std::string said = port.optional ? "optional()" : "max_age()";

@@ -5,7 +5,7 @@
 namespace suture::compiler::check {
 namespace {
 
-/// Tells if default-range refuses the field, because 0 is what counts for it.
+/// Tells if the rule default-range refuses the field, which is 0 if nothing initialises it.
 bool excludesZero(const model::Field& field) {
   return field.range && (field.range->first > 0 || field.range->second < 0);
 }

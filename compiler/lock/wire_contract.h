@@ -27,7 +27,8 @@ class WireContract {
   WireContract(const std::map<std::string, Lock>& locks, bool withoutOptional)
       : locks_(locks), withoutOptional_(withoutOptional) {}
 
-  /// Adds what `type`, spelled in `lock`, names, and behind it what that leads to, each once.
+  /// Adds the node that `type`, as `lock` spells it, names, and then all that it leads to, each
+  /// once.
   void add(const Lock& lock, const std::string& type);
   const std::vector<PlacedNode>& nodes() const { return nodes_; }
 

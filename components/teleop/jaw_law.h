@@ -15,9 +15,9 @@ struct JawSettings {
 };
 
 /// No method allocates or throws. The law is jaw = scale x gripper + offset, at a limited rate. At
-/// an entry gripper and jaw are apart, so the jaw goes slowly to where the gripper is, as a ghost,
-/// so that nothing is dropped or crushed at once, and follows from there. It is the law of the da
-/// Vinci Research Kit (sawIntuitiveResearchKit, mtsTeleOperationPSM).
+/// an entry gripper and jaw are apart. The jaw first goes slowly to where the gripper is, so that
+/// nothing is dropped or crushed at once, and follows from there. This is the law of the da Vinci
+/// Research Kit, which calls the slow jaw a ghost (sawIntuitiveResearchKit, mtsTeleOperationPSM).
 class JawLaw {
  public:
   /// Begins from `jaw`, which is the set-point of the jaw, in rad.

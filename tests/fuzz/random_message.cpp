@@ -78,7 +78,7 @@ class Filler {
       return fill(inner.as<DynamicStruct>(), depth - 1);
     }
     if (!type.isList()) return out.set(field, number(type.which(), random_));
-    // The length that it has may be the only one that is taken.
+    // Perhaps no other length than the one that it has is valid.
     const bool keeps = out.has(field) && random_() % 2 == 0;
     auto list =
         keeps ? out.get(field).as<DynamicList>() : out.init(field, length()).as<DynamicList>();
@@ -111,7 +111,7 @@ class Filler {
     return capnp::DynamicEnum(type.asEnum(), ordinal);
   }
 
-  /// Returns a length that a container may often hold, and sometimes one beyond what any may; it is
+  /// Returns a length that most containers admit, and sometimes one that no container does; it is
   /// 0 once there are many elements.
   capnp::uint length() {
     const auto most = random_() % 8 == 0 ? 90u : 5u;

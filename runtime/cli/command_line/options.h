@@ -11,7 +11,7 @@
 
 namespace suture::cli {
 
-/// Says that the command line itself cannot be meant: exit status 2.
+/// Says that the command line itself is wrong: exit status 2.
 class UsageError : public SetupError {
  public:
   using SetupError::SetupError;

@@ -34,7 +34,8 @@ enum class Errc : std::uint8_t {
   Stale,             ///< the value is older than the connection's max_age
   AwaitingOperator,  ///< the connection was lost, and an operator must resume it; nothing was sent
   Cancelled,         ///< its sender cancelled it in time; not executed
-  CannotWait,        ///< an event cannot be awaited in an event's handler, nor if its own is direct
+  CannotWait,        ///< events cannot be awaited in an event's handler, nor can those whose own
+                     ///< handler is direct
   NotPermitted,      ///< the provider's policy lets this process read but not command; not executed
 };
 

@@ -24,7 +24,7 @@ class ContractAndLoss(Example):
         self.console.send_signal(signal.SIGSTOP)
         self.await_line(self.robot.stdout, f"^older than the connection's max_age: holds at {POSITION}$")
         self.console.send_signal(signal.SIGCONT)
-        # It is back where it stood still for so long that it was lost, too.
+        # It says "back" if it stood still for so long that it was lost, too.
         self.await_line(self.robot.stdout, f"^(fresh|back): follows from {POSITION}$")
 
     def test_holds_still_while_the_provider_is_lost(self):

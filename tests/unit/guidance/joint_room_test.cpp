@@ -1,4 +1,4 @@
-// The room that joints leave a tip is that of the arm's own inverse kinematics.
+// These tests compare the room that joints leave a tip with the arm's own inverse kinematics.
 
 #include "guidance/joint_room.h"
 

@@ -64,7 +64,7 @@ class EchoScene : public testing::TestWithParam<const char*> {
     return socket;
   }
 
-  /// The server runs meanwhile.
+  /// Sends all of `bytes`, and lets the server run meanwhile.
   void sendWhole(int socket, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
       const ssize_t count = send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);

@@ -50,7 +50,7 @@ class MessageStreamTest : public testing::Test {
 
   auto read() { return stream_->read(); }
 
-  /// Size of the blob in the next message, -1 at the end of the stream.
+  /// Returns the size of the blob in the next message, or -1 at the end of the stream.
   std::int64_t nextBlob() {
     auto message = bounded(read()).wait(port_.scope());
     KJ_IF_MAYBE (reader, message) {
@@ -244,7 +244,7 @@ TEST_F(MessageStreamTest, ALargeMessageArrivesWhole) {
   EXPECT_EQ(sender.counters()->sentBytes, stream_->counters()->receivedBytes);
 }
 
-// Wherever one receive ends: in a header, in a long message, or behind it.
+// This holds wherever one receive ends: in a header, in a long message, or behind it.
 TEST_F(MessageStreamTest, ShortMessagesArriveAroundALongOne) {
   for (const std::size_t piece : {7, 4'099, 65'537, 1'000'000}) {
     open();

@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 using Eigen::Vector3d;
 
 constexpr suture::Duration kModelPeriod = 1ms;
-constexpr double kCycle = 0.001;  // s: the same
+constexpr double kCycle = 0.001;  // s: kModelPeriod as a number
 constexpr CrossoverParameters kQuiet{.remnant = 0};
 
 TEST(CrossoverModel, MovesAtTheDelayedError) {
@@ -106,7 +106,7 @@ TEST(CrossoverModel, AddsNoiseOfTheDeclaredPower) {
     }
     squares += (sum / kWindow / (parameters.frequency * kError) - Vector3d::Ones()).squaredNorm();
   }
-  // The variance of a mean over a long time is the density by that time.
+  // The variance of a mean over a long time is the density divided by that time.
   const double density = squares / (3 * kWindows) * kWindow * kCycle;
   EXPECT_NEAR(density / (std::numbers::pi * parameters.remnant), 1, 0.1);
 }

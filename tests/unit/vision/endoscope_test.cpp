@@ -65,7 +65,7 @@ class SwayingStrand final : public suture::PeriodicTask, public StrandView {
   StrandState state_;
 };
 
-/// Hands on what it sees, black for one eye while a hand is before that.
+/// Passes on what it sees. While a hand is before one eye, the image of that eye is black.
 class Lens final : public suture::PeriodicTask, public StereoImages {
  public:
   Lens() : PeriodicTask({.period = kPeriod}) { images_.keepState({.rows = 4}); }
@@ -238,7 +238,7 @@ TEST(Tracker, ACoveredLensHidesEverythingAtOnce) {
   EXPECT_TRUE(theatre.tracker.sighting().valid) << "and sees again";
 }
 
-// At up to 30 mm/s a sighting is 3 mm and more behind what it shows; the pose is of now.
+// At up to 30 mm/s a sighting is 3 mm and more behind the knot; the pose is where the knot is now.
 TEST(Tracker, PosesMakeUpForTheirAge) {
   EndoscopeParameters parameters = steady();
   parameters.latency = 80ms;
@@ -261,7 +261,7 @@ TEST(Tracker, PosesMakeUpForTheirAge) {
   EXPECT_LT(std::sqrt(speed / 100), 0.015);
 }
 
-/// Shows pairs of another day, and has nothing else of them.
+/// Shows pairs that another system recorded, of which nothing else is left.
 class Projector final : public suture::PeriodicTask, public StereoImages {
  public:
   explicit Projector(const std::vector<StereoPair>& film)

@@ -40,7 +40,7 @@ class Session {
   Progress handshake();
   /// Returns the process that the peer's certificate names, once the handshake is done.
   const std::string& peer() const { return peer_; }
-  /// Returns then the peer's certificate.
+  /// Returns the peer's certificate, once the handshake is done.
   const X509* certificate() const { return shown_.get(); }
 
   /// Do what recv(2) and send(2) do. Return the number of bytes; 0 if the peer has said that it is
