@@ -1,4 +1,4 @@
-"""Every test that docs/tests.md says runs now is in the tree.
+"""Every test that docs/tests.md says runs now is in the tree, and so is every one that SECURITY.md names.
 
 tests_page_test.py ROOT BUILD
 The first column of a table of moved tests has names as they were; all other names in backquotes have to be there: suites and cases of
@@ -64,9 +64,10 @@ class Page(unittest.TestCase):
         tests = [one["name"] for one in json.loads(listed.stdout)["tests"]]
         known = Known(read("tests/**/*.cpp", "tests/bench/bounds.txt"), read("tests/**/CMakeLists.txt", "runtime/**/CMakeLists.txt"), tests,
                       [path.name for path in ROOT.glob("tests/**/*.*")])
-        names = names_of((ROOT / "docs/tests.md").read_text(encoding="utf-8"))
-        self.assertGreater(len(names), 50)
-        self.assertEqual([name for name in names if not known.has(name)], [])
+        for page, least in (("docs/tests.md", 50), ("SECURITY.md", 30)):
+            names = names_of((ROOT / page).read_text(encoding="utf-8"))
+            self.assertGreater(len(names), least)
+            self.assertEqual([name for name in names if not known.has(name)], [], page)
 
     def test_files_are_there(self):
         for name in names_of((ROOT / "docs/tests.md").read_text(encoding="utf-8")):
