@@ -7,10 +7,10 @@
 #include <suture/deploy/report_writer.h>
 #include <suture/deploy/workstation.h>
 #include <suture/lane/lane_kind.h>
+#include <suture/loop/descriptor_limit.h>
 #include <suture/loop/signal_wait.h>
 #include <suture/loop/standard_streams.h>
 #include <suture/observe/observe.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -243,15 +243,6 @@ class Run {
   std::vector<Known> known_;
   bool reportsLost_ = false;
 };
-
-// Components and their connections take descriptors, and the usual soft limit is 1024. It is that
-// low for programs that use select(), which this one does not.
-void allowAllDescriptors() {
-  rlimit limit;
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
-  limit.rlim_cur = limit.rlim_max;
-  setrlimit(RLIMIT_NOFILE, &limit);
-}
 
 std::string processOf(const Deployment& deployment, const Options& options) {
   if (!options.process.empty()) return options.process;

@@ -3,6 +3,7 @@
 #include <suture/base/errors.h>
 #include <suture/base/plain.h>
 #include <suture/loop/control_thread.h>
+#include <suture/loop/descriptor_limit.h>
 #include <suture/loop/signal_wait.h>
 #include <suture/loop/standard_streams.h>
 #include <suture/names/global_manager.h>
@@ -79,6 +80,7 @@ int run(CLI::App& app, const Options& options, int argc, const char* const* argv
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   suture::openStandardDescriptors();
+  suture::allowAllDescriptors();
   CLI::App app{
       "Knows the names of the processes of a Suture system, so that they find each other."};
   Options options;

@@ -16,6 +16,14 @@ class Descriptors(Stations):
         problems = station.communicate(timeout=60)[1]
         self.assertEqual(station.returncode, 0, problems)
 
+    def test_a_manager_uses_its_hard_limit(self):
+        """Each process of a system takes a descriptor of its manager."""
+        hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+        manager = self.start(MANAGER, "--listen", f"unix:{self.folder}/manager.sock",
+                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (64, hard)))
+        self.assertIn("ready on", manager.stdout.readline())
+        self.assertEqual(resource.prlimit(manager.pid, resource.RLIMIT_NOFILE), (hard, hard))
+
     def test_a_standard_descriptor_that_is_closed_becomes_no_socket(self):
         """What the process says of a refusal would go into a peer's stream."""
         def close():
