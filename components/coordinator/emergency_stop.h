@@ -15,7 +15,7 @@ struct SUTURE_TYPE() Permit {
   bool granted = false;
   /// The coordinator renewed it in the cycle of this stamp.
   suture::Time stamp;
-  /// Is StopNews::press of the last press.
+  /// The number of the last press is also in StopNews::press.
   std::uint64_t press = 0;
 };
 

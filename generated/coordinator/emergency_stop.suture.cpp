@@ -115,21 +115,22 @@ constexpr char kEmergencyStopDescription[] = R"json(
 "kind": "write", "ordinal": 2,
 "doc": "Lets drives have power again, which an operator must have decided. `press` is that of the news\nthat this answers: it does nothing if somebody has pressed since. Arms stay disabled until\nsomebody enables them, such as a console that brings its system up by itself.",
 "parameters": [{"name": "press", "type": {"kind": "UInt64"}}], "queue": 16}, {"name": "permit",
-"kind": "read", "ordinal": 3, "doc": "Is renewed in each cycle.", "result": {"type": {
-"kind": "struct", "name": "robots::Permit"}}, "queue": 16}], "events": [{"name": "stop",
+"kind": "read", "ordinal": 3, "doc": "The coordinator renews the permit in each cycle.", "result": {
+"type": {"kind": "struct", "name": "robots::Permit"}}, "queue": 16}], "events": [{"name": "stop",
 "kind": "write", "ordinal": 1,
 "doc": "Reports each press and each release, and the last one to a client that connects.",
 "payload": {"type": {"kind": "struct", "name": "robots::StopNews"}}, "queue": 16, "latched": true}
 ], "enums": [], "structs": [{"name": "robots::Permit",
 "doc": "Lets drives have power. It counts only as long as it is fresh, so that drives that do not\nreceive it any more stop too.",
 "fields": [{"name": "granted", "type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
-"doc": "Is the cycle in which it was renewed.", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "press", "doc": "Is StopNews::press of the last press.", "type": {"kind": "UInt64"},
+"doc": "The coordinator renewed it in the cycle of this stamp.", "type": {"kind": "time",
+"clock": "steady"}}, {"name": "press",
+"doc": "The number of the last press is also in StopNews::press.", "type": {"kind": "UInt64"},
 "default": 0}]}, {"name": "robots::StopNews",
 "doc": "Says that the emergency stop was pressed, or released.", "fields": [{"name": "pressed",
 "type": {"kind": "Bool"}, "default": false}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}, {"name": "is_start", "wire": "isStart",
-"doc": "Is true if nobody has pressed it: the coordinator has just started, and starts pressed.",
+"doc": "This is true if nobody has pressed it: the coordinator has just started, and starts pressed.",
 "type": {"kind": "Bool"}, "default": false}, {"name": "press",
 "doc": "Identifies the last press, and so does release(). Each press has a larger one than all before,\nthose of a coordinator that ran before on the same machine too.",
 "type": {"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0x85a101cfc49eccfc",

@@ -103,7 +103,7 @@ class Required<robots::EmergencyStop> : public RequiredBase {
   /// somebody enables them, such as a console that brings its system up by itself.
   /// Write: up to 16 wait.
   Command<&Contract::release, robots::EmergencyStopReleaseArguments> release{*this, Id::release};
-  /// Is renewed in each cycle.
+  /// The coordinator renews the permit in each cycle.
   /// Read: answered at once with what the last cycle left.
   ReadCommand<&Contract::permit, robots::PermitSlot> permit{*this, Id::permit};
 

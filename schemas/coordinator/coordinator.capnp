@@ -8,7 +8,7 @@ $Meta.header("coordinator/coordinator.h");
 
 struct CoordinatorParameters @0xd3f3d59d64dba2a2 $Meta.cxx("robots::CoordinatorParameters") {
   period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
-  # Is how often the permit is renewed, and how long a command to stop may wait.
+  # The permit is renewed once in this period, and a command to stop may wait as long.
   buttons @1 :List(Text) $Meta.capacity([8, 63]);
   # Names the clients without which nobody could press the stop, such as "desk:Panel/Stop". One
   # whose connection ends presses it, and it is not released before all are connected.

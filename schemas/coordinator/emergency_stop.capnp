@@ -13,9 +13,9 @@ struct Permit @0xd02fe436dab69cbc $Meta.cxx("robots::Permit") {
 
   granted @0 :Bool;
   stamp @1 :Int64 $Meta.clock("steady");
-  # Is the cycle in which it was renewed.
+  # The coordinator renewed it in the cycle of this stamp.
   press @2 :UInt64;
-  # Is StopNews::press of the last press.
+  # The number of the last press is also in StopNews::press.
 }
 
 struct StopNews @0xcd5512b8a090183f $Meta.cxx("robots::StopNews") {
@@ -24,7 +24,7 @@ struct StopNews @0xcd5512b8a090183f $Meta.cxx("robots::StopNews") {
   pressed @0 :Bool;
   stamp @1 :Int64 $Meta.clock("steady");
   isStart @2 :Bool $Meta.cxx("is_start");
-  # Is true if nobody has pressed it: the coordinator has just started, and starts pressed.
+  # This is true if nobody has pressed it: the coordinator has just started, and starts pressed.
   press @3 :UInt64;
   # Identifies the last press, and so does release(). Each press has a larger one than all before,
   # those of a coordinator that ran before on the same machine too.
@@ -43,7 +43,7 @@ interface EmergencyStop @0x85a101cfc49eccfc $Meta.cxx("robots::EmergencyStop") $
   # that this answers: it does nothing if somebody has pressed since. Arms stay disabled until
   # somebody enables them, such as a console that brings its system up by itself.
   permit @3 (sent :Rpc.Sent) -> (value :Permit, stamp :Int64) $Meta.kind("read");
-  # Is renewed in each cycle.
+  # The coordinator renews the permit in each cycle.
 }
 
 interface EmergencyStopEvents @0xd5baa187cf46a24d $Meta.eventsOf("robots::EmergencyStop") {

@@ -30,7 +30,7 @@ struct OperatorPanel final : suture::Device {
   suture::Required<Arm> left{*this, "Left"}, right{*this, "Right"};
 };
 
-/// Has a button at the other workstation.
+/// The other workstation has this button.
 struct DeputyPanel final : suture::Device {
   suture::Required<EmergencyStop> button{*this, "Stop"};
 };
@@ -195,7 +195,7 @@ TEST_P(Stop, StopsDrivesWhoseArmHangs) {
   EXPECT_TRUE(stands(leftSlave_));
 }
 
-/// Has a second button, without which nobody releases the stop.
+/// Without the second button nobody releases the stop.
 class TwoButtons : public Stop {
  protected:
   TwoButtons() : Stop({.buttons = {isOneProcess() ? "left:Deputy/Stop" : "right:Deputy/Stop"}}) {}
