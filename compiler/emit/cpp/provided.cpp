@@ -6,8 +6,8 @@ namespace suture::compiler::emit {
 namespace {
 
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
-  const std::string base = baseClass("Provided", interface);
   const MemberNames names(interface);
+  const std::string base = names.spell(baseClass("Provided", interface));
   code.blank().line("/// Emits the events of ", interface.name, ".");
   emitEventsHead(code, interface, base);
   emitEventConstructor(code, interface, base, names.spell("ProvidedBase") + "& provided",

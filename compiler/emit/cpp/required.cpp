@@ -76,7 +76,7 @@ void withoutWarning(Code& code, const std::vector<const Member*>& members,
 
 void emitEvents(Code& code, const Context& context, const model::Interface& interface,
                 const MemberNames& names) {
-  const std::string base = baseClass("Required", interface);
+  const std::string base = names.spell(baseClass("Required", interface));
   code.blank().line("/// Subscribes to the events of ", interface.name, ".");
   emitEventsHead(code, interface, base);
   withoutWarning(code, ownEvents(interface), [&] {

@@ -76,6 +76,8 @@ class SUTURE_INTERFACE() News : public Words {
   SUTURE_EVENT() suture::EventOf<> Emitter;
   SUTURE_EVENT() suture::EventOf<int> RequiredBase;
   SUTURE_EVENT() suture::EventOf<int, std::int32_t> ProvidedBase;
+  SUTURE_EVENT() suture::EventOf<int> Required;
+  SUTURE_EVENT() suture::EventOf<int> Provided;
   SUTURE_EVENT() suture::EventOf<int> EventId;
   SUTURE_EVENT() suture::EventOf<int> scope;
   SUTURE_EVENT() suture::EventOf<int> last;
