@@ -45,6 +45,7 @@ std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& lock
   const std::map<std::string, lock::Lock> schemas = lock::upToDate(model, locks);
   const std::map<std::string, std::string> hashes = lock::contractHashes(model, schemas);
   const std::map<std::string, std::string> cores = lock::coreHashes(model, schemas);
+  const lock::NodeIndexes nodes = lock::indexed(schemas);
   std::vector<Artefact> artefacts;
   for (const model::Header& header : model.headers) {
     if (!header.own) continue;
@@ -54,7 +55,7 @@ std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& lock
       const unsigned files = emitter.output.isSource() ? count : 1;
       for (unsigned i = 0; i < files; ++i) {
         const model::Header share = shareOf(header, i, files);
-        const Context context{model, lookup, locks, schemas, hashes, cores, share, i};
+        const Context context{model, lookup, locks, nodes, hashes, cores, share, i};
         artefacts.push_back({nameOf(header, emitter.output, i), emitter.write(context)});
       }
     }

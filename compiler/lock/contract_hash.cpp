@@ -40,10 +40,11 @@ std::map<std::string, std::string> hashes(const model::Model& model,
                                           const std::map<std::string, Lock>& schemas,
                                           bool withoutOptional) {
   std::map<std::string, std::string> result;
+  const NodeIndexes indexes = indexed(schemas);
   for (const model::Header& header : model.headers) {
     if (!header.own) continue;
     for (const model::Interface& interface : header.interfaces) {
-      WireContract contract(schemas, withoutOptional);
+      WireContract contract(indexes, withoutOptional);
       contract.add(schemas.at(lockPath(header.path)), interface.wireName);
       std::string text;
       for (const PlacedNode& one : contract.nodes()) write(contract, *one.node, text);

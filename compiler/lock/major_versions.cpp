@@ -4,8 +4,6 @@
 #include <cstdlib>
 
 #include "compiler/lock/schema/reach.h"
-#include "compiler/lock/schema/wanted.h"
-#include "compiler/lock/schema/wire_type.h"
 
 namespace suture::compiler::lock {
 
@@ -15,11 +13,9 @@ unsigned majorOf(const Node& node) {
   return static_cast<unsigned>(std::strtoul(major->second.c_str(), nullptr, 10));
 }
 
-unsigned majorOf(const Locks& locks, const std::string& contract) {
-  for (const auto& [path, lock] : locks.files) {
-    for (const Node& node : lock.nodes) {
-      if (identity(node) == "cxx " + quoted(contract)) return majorOf(node);
-    }
+unsigned majorOf(const NodeIndexes& locks, const std::string& contract) {
+  for (const auto& [path, lock] : locks) {
+    if (const Node* const node = lock.ofContract("cxx", contract)) return majorOf(*node);
   }
   return 1;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "compiler/lock/schema/lock.h"
+#include "compiler/lock/schema/node_index.h"
 
 namespace suture::compiler::lock {
 
@@ -12,7 +13,7 @@ namespace suture::compiler::lock {
 unsigned majorOf(const Node& node);
 
 /// Returns the major of the contract with that qualified C++ name, which is 1 if no lock has it.
-unsigned majorOf(const Locks& locks, const std::string& contract);
+unsigned majorOf(const NodeIndexes& locks, const std::string& contract);
 
 /// Raises the major of each contract in the locks of `own` that reaches one of `broken`
 /// ("arm/arm.capnp:Pose").

@@ -7,6 +7,7 @@
 
 #include "compiler/lock/moves/moves.h"
 #include "compiler/lock/prefixes.h"
+#include "compiler/lock/schema/node_index.h"
 #include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
 #include "compiler/model/lookup.h"
@@ -100,14 +101,9 @@ class Scope {
 
 /// Returns the node of a type, which may have had another name; null if the lock has none.
 template <class Type>
-const Node* nodeOf(const Type& type, const Lock* lock) {
+const Node* nodeOf(const Type& type, const NodeIndex* lock) {
   if (lock == nullptr) return nullptr;
-  const auto find = [&](const std::string& name) -> const Node* {
-    const auto found = std::find_if(lock->nodes.begin(), lock->nodes.end(), [&](const Node& node) {
-      return !node.removed() && identity(node) == "cxx " + quoted(name);
-    });
-    return found == lock->nodes.end() ? nullptr : &*found;
-  };
+  const auto find = [&](const std::string& name) { return lock->living("cxx " + quoted(name)); };
   const Node* node = find(type.name);
   const std::optional<std::string> was = model::formerName(type.name, type.was);
   return node == nullptr && was ? find(*was) : node;
@@ -239,10 +235,11 @@ model::Model settled(const model::Model& model, const Locks& committed) {
   const model::Lookup lookup(model);
   model::Model result = model;
   settlePrefixes(result, locks);
+  const NodeIndexes indexes = indexed(locks.files);
   for (std::size_t i = 0; i < model.headers.size(); ++i) {
     const model::Header& header = model.headers[i];
-    const auto lock = locks.files.find(lockPath(header.path));
-    const Lock* const known = lock == locks.files.end() ? nullptr : &lock->second;
+    const auto lock = indexes.find(lockPath(header.path));
+    const NodeIndex* const known = lock == indexes.end() ? nullptr : &lock->second;
     for (model::Enum& type : result.headers[i].enums) settle(type, nodeOf(type, known));
     for (model::Struct& type : result.headers[i].structs) {
       settle(type, nodeOf(type, known), lookup, header);

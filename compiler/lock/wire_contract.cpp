@@ -36,16 +36,10 @@ void WireContract::add(const Lock& lock, const Member& member) {
 
 PlacedNode WireContract::find(const Lock& lock, const std::string& type) const {
   const TypePlace place = placeOf(type, lock.path);
-  const Lock* home = &lock;
-  if (place.path != lock.path) {
-    const auto other = locks_.find(place.path);
-    if (other == locks_.end()) return {};
-    home = &other->second;
-  }
-  for (const Node& node : home->nodes) {
-    if (node.name == place.name) return {home, &node};
-  }
-  return {};
+  const auto home = locks_.find(place.path);
+  if (home == locks_.end()) return {};
+  const Node* const node = home->second.named(place.name);
+  return node == nullptr ? PlacedNode{} : PlacedNode{&home->second.lock(), node};
 }
 
 }  // namespace suture::compiler::lock

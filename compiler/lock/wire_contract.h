@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compiler/lock/schema/lock.h"
-#include "compiler/lock/schema/type_place.h"
+#include "compiler/lock/schema/node_index.h"
 
 namespace suture::compiler::lock {
 
@@ -24,7 +24,7 @@ std::map<std::string, Lock> upToDate(const model::Model& model, const Locks& loc
 class WireContract {
  public:
   /// `locks` must outlive this. `withoutOptional` leaves the optional commands out.
-  WireContract(const std::map<std::string, Lock>& locks, bool withoutOptional)
+  WireContract(const NodeIndexes& locks, bool withoutOptional)
       : locks_(locks), withoutOptional_(withoutOptional) {}
 
   /// Adds the node that `type`, as `lock` spells it, names, and then all that it leads to, each
@@ -44,7 +44,7 @@ class WireContract {
  private:
   void add(const Lock& lock, const Member& member);
 
-  const std::map<std::string, Lock>& locks_;
+  const NodeIndexes& locks_;
   const bool withoutOptional_;
   std::vector<PlacedNode> nodes_;
   std::set<const Node*> known_;

@@ -252,7 +252,7 @@ Json interfaceOf(const model::Interface& interface, const Context& context) {
   const std::string& core = context.cores.at(interface.name);
   if (json["hash"] != core) json["core"] = core;
   if (interface.version > 1) json["version"] = interface.version;
-  const unsigned major = lock::majorOf(context.locks, interface.name);
+  const unsigned major = lock::majorOf(context.schemas, interface.name);
   if (major > 1) json["major"] = major;
   if (!interface.base.empty()) json["base"] = interface.base;
   if (interface.crtk) json["crtk"] = true;

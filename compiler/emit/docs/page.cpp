@@ -86,7 +86,7 @@ class Page {
   }
 
   std::string contract(const model::Interface& interface) const {
-    const unsigned major = lock::majorOf(context_.locks, interface.name);
+    const unsigned major = lock::majorOf(context_.schemas, interface.name);
     std::string facts;
     const auto add = [&facts](const std::string& fact) { facts += "- " + fact + "\n"; };
     if (!interface.base.empty()) {

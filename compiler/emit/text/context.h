@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/lock/schema/lock.h"
+#include "compiler/lock/schema/node_index.h"
 #include "compiler/model/generated_names.h"
 #include "compiler/model/lookup.h"
 #include "compiler/model/model.h"
@@ -20,7 +21,7 @@ struct Context {
   const model::Model& model;
   const model::Lookup& lookup;
   const lock::Locks& locks;
-  const std::map<std::string, lock::Lock>& schemas;  ///< `locks` as an update would leave them
+  const lock::NodeIndexes& schemas;                  ///< `locks` as an update would leave them
   const std::map<std::string, std::string>& hashes;  ///< by contract, see lock/contract_hash.h
   const std::map<std::string, std::string>& cores;   ///< the same without optional commands
   const model::Header& header;                       ///< the one being written, or a share of it

@@ -4,11 +4,12 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "compiler/emit/text/context.h"
-#include "compiler/lock/contract_node.h"
+#include "compiler/lock/schema/node_index.h"
 #include "compiler/model/lookup.h"
 
 namespace suture::compiler::emit {
@@ -16,11 +17,15 @@ namespace {
 
 constexpr unsigned kUnknown = std::numeric_limits<unsigned>::max();
 
-unsigned ordinalOf(const lock::Node& node, const std::string& name) {
-  for (const lock::Member& member : node.members) {
-    if (member.name == name && !member.removed()) return member.ordinal;
+using Ordinals = std::unordered_map<std::string, unsigned>;
+
+Ordinals ordinalsOf(const lock::Node* node) {
+  Ordinals ordinals;
+  if (node == nullptr) return ordinals;
+  for (const lock::Member& member : node->members) {
+    if (!member.removed()) ordinals.emplace(member.name, member.ordinal);
   }
-  return kUnknown;
+  return ordinals;
 }
 
 /// Says where a command or event stands: what a base declares comes first, in the base's own order.
@@ -44,7 +49,8 @@ std::vector<const model::Interface*> lineage(const model::Interface& interface,
 
 class Order {
  public:
-  Order(const model::Lookup& lookup, const lock::Locks& locks) : lookup_(lookup), locks_(locks) {}
+  Order(const model::Lookup& lookup, const lock::Locks& locks)
+      : lookup_(lookup), locks_(lock::indexed(locks.files)) {}
 
   void sort(model::Interface& interface) const {
     sort(interface, interface.commands, "cxx");
@@ -56,12 +62,14 @@ class Order {
   void sort(const model::Interface& interface, Declarations& declarations,
             const char* annotation) const {
     const auto line = lineage(interface, lookup_);
+    std::vector<Ordinals> ordinals;
+    for (const auto* const one : line) ordinals.push_back(ordinalsOf(nodeOf(*one, annotation)));
     const auto place = [&](const auto& one) {
       const std::string& home = one.inheritedFrom.empty() ? interface.name : one.inheritedFrom;
       std::size_t depth = 0;
       while (depth + 1 < line.size() && line[depth]->name != home) ++depth;
-      const lock::Node* const node = nodeOf(home, annotation);
-      return Place{depth, node == nullptr ? kUnknown : ordinalOf(*node, one.wireName)};
+      const auto known = ordinals[depth].find(one.wireName);
+      return Place{depth, known == ordinals[depth].end() ? kUnknown : known->second};
     };
     std::stable_sort(declarations.begin(), declarations.end(),
                      [&](const auto& a, const auto& b) { return place(a) < place(b); });
@@ -71,15 +79,13 @@ class Order {
     }
   }
 
-  const lock::Node* nodeOf(const std::string& interface, const char* annotation) const {
-    const model::Header* const header = lookup_.headerOf(interface);
-    if (header == nullptr) return nullptr;
-    const auto lock = locks_.files.find(lock::lockPath(header->path));
-    return lock == locks_.files.end() ? nullptr : lock::nodeOf(lock->second, annotation, interface);
+  const lock::Node* nodeOf(const model::Interface& interface, const char* annotation) const {
+    const auto lock = locks_.find(lock::lockPath(lookup_.headerOf(interface.name)->path));
+    return lock == locks_.end() ? nullptr : lock->second.ofContract(annotation, interface.name);
   }
 
   const model::Lookup& lookup_;
-  const lock::Locks& locks_;
+  const lock::NodeIndexes locks_;
 };
 
 /// Puts structs behind those that they hold, and else leaves their order. What holds its own kind
@@ -87,7 +93,9 @@ class Order {
 class PartsFirst {
  public:
   PartsFirst(std::vector<model::Struct>& structs, const model::Lookup& lookup)
-      : structs_(structs), lookup_(lookup) {}
+      : structs_(structs), lookup_(lookup) {
+    for (const model::Struct& record : structs) known_.emplace(record.name, &record);
+  }
 
   void sort() {
     for (const model::Struct& record : structs_) place(record.name);
@@ -96,11 +104,10 @@ class PartsFirst {
 
  private:
   void place(const std::string& name) {
-    const auto found = std::find_if(structs_.begin(), structs_.end(),
-                                    [&](const model::Struct& one) { return one.name == name; });
-    if (found == structs_.end() || !seen_.insert(name).second) return;
-    for (const model::Field& field : found->fields) place(field.type, false);
-    sorted_.push_back(*found);
+    const auto found = known_.find(name);
+    if (found == known_.end() || !seen_.insert(name).second) return;
+    for (const model::Field& field : found->second->fields) place(field.type, false);
+    sorted_.push_back(*found->second);
   }
 
   void place(const model::Type& type, bool apart) {
@@ -116,6 +123,7 @@ class PartsFirst {
 
   std::vector<model::Struct>& structs_;
   const model::Lookup& lookup_;
+  std::unordered_map<std::string, const model::Struct*> known_;
   std::vector<model::Struct> sorted_;
   std::set<std::string> seen_;
 };

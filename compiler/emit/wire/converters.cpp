@@ -36,12 +36,10 @@ std::string wireConstant(const Context& context, const model::Enum& type,
                          const std::string& wireName) {
   const std::string wire = "wire::" + type.wireName, constant = model::upperSnakeCase(wireName);
   if (!context.model.macros.contains(constant)) return wire + "::" + constant;
-  const auto hasName = [](const std::string& name) {
-    return [&name](const auto& one) { return one.name == name; };
-  };
-  const auto& nodes = context.schemas.at(lock::lockPath(context.header.path)).nodes;
-  const auto node = std::find_if(nodes.begin(), nodes.end(), hasName(type.wireName));
-  const auto member = std::find_if(node->members.begin(), node->members.end(), hasName(wireName));
+  const std::string path = lock::lockPath(context.header.path);
+  const auto& members = context.schemas.at(path).named(type.wireName)->members;
+  const auto member = std::find_if(members.begin(), members.end(),
+                                   [&](const lock::Member& one) { return one.name == wireName; });
   return "static_cast<" + wire + ">(" + std::to_string(member->ordinal) + ")";
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "compiler/lock/contract_node.h"
 #include "compiler/lock/schema/wanted.h"
 
 namespace suture::compiler::emit {
@@ -14,7 +13,7 @@ std::set<std::string> behind(const Context& context, const char* annotation,
                              const model::Interface& interface, const std::string& method,
                              const IsLast& last) {
   const std::string path = lock::lockPath(context.lookup.headerOf(interface.name)->path);
-  const lock::Node* const node = lock::nodeOf(context.schemas.at(path), annotation, interface.name);
+  const lock::Node* const node = context.schemas.at(path).ofContract(annotation, interface.name);
   std::set<std::string> later;
   if (node == nullptr) return later;
   for (const lock::Member& member : node->members) {

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "compiler/emit/text/contract.h"
-#include "compiler/lock/contract_node.h"
 #include "compiler/lock/schema/composites.h"
 #include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
@@ -246,8 +245,8 @@ bool hasOtherZero(const model::Enum& type, const Context& context) {
                                  [](const model::Enumerator& one) { return one.value == 0; });
   if (zero == type.enumerators.end()) return false;
   const std::string path = lock::lockPath(context.lookup.headerOf(type.name)->path);
-  return lock::nodeOf(context.schemas.at(path), "cxx", type.name)->members.front().name !=
-         zero->wireName;
+  const lock::Node* const node = context.schemas.at(path).ofContract("cxx", type.name);
+  return node->members.front().name != zero->wireName;
 }
 
 /// Tells if C++ makes of nothing another value than a message in which nothing was sent.

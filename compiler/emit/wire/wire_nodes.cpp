@@ -58,7 +58,7 @@ Json memberOf(const lock::WireContract& contract, const lock::Lock& lock,
 Json wireNodes(const Context& context, const model::Interface& interface) {
   const std::string path = lock::lockPath(context.lookup.headerOf(interface.name)->path);
   lock::WireContract contract(context.schemas, /*withoutOptional=*/false);
-  contract.add(context.schemas.at(path), interface.wireName);
+  contract.add(context.schemas.at(path).lock(), interface.wireName);
   Json json = Json::array();
   for (const lock::PlacedNode& one : contract.nodes()) {
     Json node{

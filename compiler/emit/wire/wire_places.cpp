@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "compiler/emit/text/contract.h"
-#include "compiler/lock/contract_node.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
@@ -15,7 +14,7 @@ namespace {
 const lock::Node& nodeFor(const Context& context, const model::Interface& interface,
                           const char* annotation) {
   const std::string path = lock::lockPath(context.lookup.headerOf(interface.name)->path);
-  return *lock::nodeOf(context.schemas.at(path), annotation, interface.name);
+  return *context.schemas.at(path).ofContract(annotation, interface.name);
 }
 
 /// Names what lives in a node and came from the contract, in the order of the ordinals.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/lock/moves/nodes.h"
+#include "compiler/lock/schema/node_index.h"
 #include "compiler/lock/schema/wanted.h"
 
 namespace suture::compiler::lock {
@@ -19,6 +20,9 @@ class Finder {
       Home& home = homes_[lockPath(header.path)];
       home = {&header, wanted(header, lookup), {}};
       for (const WantedNode& one : home.wanted) home.identities.insert(identity(one.node));
+    }
+    for (const auto* const all : {&locks.files, &locks.others}) {
+      for (const auto& [path, lock] : *all) indexes_.emplace(&lock, lock);
     }
   }
 
@@ -94,12 +98,10 @@ class Finder {
     return false;
   }
 
-  static const Node* find(const Lock& lock, const std::string& name, bool living) {
+  const Node* find(const Lock& lock, const std::string& name, bool living) const {
     if (name.empty()) return nullptr;
-    for (const Node& node : lock.nodes) {
-      if (identity(node) == name && !(living && node.removed())) return &node;
-    }
-    return nullptr;
+    const NodeIndex& index = indexes_.at(&lock);
+    return living ? index.living(name) : index.identified(name);
   }
 
   /// Tells if a header still declares the node of its lock.
@@ -297,6 +299,7 @@ class Finder {
 
   const Locks& locks_;
   const Options& options_;
+  std::map<const Lock*, NodeIndex> indexes_;
   std::map<std::string, Home> homes_;
   std::set<TypePlace> known_;
   Moves moves_;

@@ -37,6 +37,10 @@ class BreakTest : public testing::Test {
     return contractHashes(model_, upToDate(model_, locks)).at("robots::Arm");
   }
 
+  static unsigned majorIn(const Locks& locks, const std::string& contract) {
+    return majorOf(indexed(locks.files), contract);
+  }
+
   model::Field& speed() { return sample::armHeader(model_).structs[0].fields[3]; }
 
   model::Model model_ = sample::robots();
@@ -44,13 +48,13 @@ class BreakTest : public testing::Test {
 };
 
 TEST_F(BreakTest, AnAcceptedBreakRaisesTheMajorVersion) {
-  EXPECT_EQ(majorOf(before_, "robots::Arm"), 1u);
+  EXPECT_EQ(majorIn(before_, "robots::Arm"), 1u);
   speed().unit = "mm/s";
   const Locks once = accept(before_);
-  EXPECT_EQ(majorOf(once, "robots::Arm"), 2u);
+  EXPECT_EQ(majorIn(once, "robots::Arm"), 2u);
   EXPECT_TRUE(check(model_, once).empty());
   speed().type = sample::scalar(model::Scalar::Float32);
-  EXPECT_EQ(majorOf(accept(once), "robots::Arm"), 3u);
+  EXPECT_EQ(majorIn(accept(once), "robots::Arm"), 3u);
 }
 
 TEST_F(BreakTest, AnotherTypeHasItsOwnDefault) {
@@ -67,7 +71,7 @@ TEST_F(BreakTest, OnlyABreakRaisesTheMajor) {
   speed().unit = "mm/s";
   const Locks once = accept(before_);
   sample::armHeader(model_).structs[0].fields.push_back(sample::field("extra", sample::number()));
-  EXPECT_EQ(majorOf(accept(once), "robots::Arm"), 2u);
+  EXPECT_EQ(majorIn(accept(once), "robots::Arm"), 2u);
 }
 
 TEST_F(BreakTest, OtherContractsKeepTheirMajorVersion) {
@@ -80,8 +84,8 @@ TEST_F(BreakTest, OtherContractsKeepTheirMajorVersion) {
   const Locks both = accept(before_);
   speed().unit = "mm/s";
   const Locks after = accept(both);
-  EXPECT_EQ(majorOf(after, "robots::Arm"), 2u);
-  EXPECT_EQ(majorOf(after, "robots::Other"), 1u);
+  EXPECT_EQ(majorIn(after, "robots::Arm"), 2u);
+  EXPECT_EQ(majorIn(after, "robots::Other"), 1u);
 }
 
 // Its rows have the base's reads, so only what a command takes tells if the base is followed.
@@ -93,11 +97,11 @@ TEST_F(BreakTest, ABaseRaisesItsDerivedContract) {
   header.interfaces[0].commands.push_back(
       sample::write("wish", "value", sample::record("robots::Wish")));
   const Locks both = accept(before_);
-  const unsigned base = majorOf(both, "robots::Arm"), derived = majorOf(both, "robots::Gripper");
+  const unsigned base = majorIn(both, "robots::Arm"), derived = majorIn(both, "robots::Gripper");
   header.structs.back().fields[0].type = sample::scalar(model::Scalar::Float32);
   const Locks after = accept(both);
-  EXPECT_EQ(majorOf(after, "robots::Arm"), base + 1);
-  EXPECT_EQ(majorOf(after, "robots::Gripper"), derived + 1);
+  EXPECT_EQ(majorIn(after, "robots::Arm"), base + 1);
+  EXPECT_EQ(majorIn(after, "robots::Gripper"), derived + 1);
 }
 
 TEST_F(BreakTest, PeersOfTwoMajorsHaveTwoHashes) {
@@ -106,7 +110,7 @@ TEST_F(BreakTest, PeersOfTwoMajorsHaveTwoHashes) {
   const Locks after = accept(before_);
   speed().unit = "m/s";
   const Locks back = accept(after);
-  EXPECT_EQ(majorOf(back, "robots::Arm"), 3u);
+  EXPECT_EQ(majorIn(back, "robots::Arm"), 3u);
   EXPECT_NE(hash(back), before) << "the same words after two breaks are another contract";
 }
 
