@@ -12,7 +12,7 @@ RUNTIME = ["base", "base/slots", "rt", "rt/queue", "rt/state", "component/contra
            "component/channel", "component/required",
            "component", "component/factory", "component/task", "wiring", "loop", "net/tls", "net", "framing", "wire", "wire/json", "lane",
            "lane/carrier", "lane/fault", "lane/delay", "lane/rpc", "lane/shm", "lane/frame/bytes", "lane/frame/payloads", "lane/frame", "names", "session", "session/client",
-           "session/provider", "standard", "manager", "observe", "record", "testing", "deploy/document", "deploy/process", "deploy"]
+           "session/provider/limits", "session/provider", "standard", "manager", "observe", "record", "testing", "deploy/document", "deploy/process", "deploy"]
 CLI = ["values", "command_line", "contract", "peer", "text", "."]
 COMPILER = {"frontend": ["ast", "report", "types", "."], "lock": ["schema", "moves", "."], "emit": ["text", "wire", "cpp", "docs", "."]}
 PARALLEL = {"observe", "record", "testing"}  # none of them knows another

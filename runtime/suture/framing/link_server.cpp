@@ -10,6 +10,9 @@ namespace {
 // Limits the peers that are told at the same time that there are too many links.
 constexpr std::size_t kMostTurnedAway = 16;
 
+// Limits what messages take that have begun and not ended.
+constexpr PeerBudget::Limits kUnfinished{.peer = 64u << 20, .process = 256u << 20};
+
 Trust usable(const Trust& trust, const Address& address) {
   requireKeys(address, trust);
   return trust;
@@ -41,7 +44,7 @@ LinkServer::LinkServer(EventPort& port, const Address& address, Offer offer, Ref
       awaited_(kj::mv(awaited)),
       limits_(limits),
       maxLinks_(maxLinks),
-      budget_(std::make_shared<ReceiveBudget>(ReceiveBudget::Limits{})),
+      budget_(std::make_shared<PeerBudget>(kUnfinished)),
       tasks_(*this) {
   tasks_.add(listener_.listen([this](kj::AutoCloseFd socket) { accept(kj::mv(socket)); },
                               [this](int error) { cannotAccept(error); }));

@@ -2,8 +2,8 @@
 // This serves Cap'n Proto RPC at an address, with one link for each connection.
 
 #include <suture/framing/link.h>
+#include <suture/framing/peer_budget.h>
 #include <suture/framing/preamble.h>
-#include <suture/framing/receive_budget.h>
 #include <suture/net/listener.h>
 #include <suture/net/refusals.h>
 #include <suture/net/secure.h>
@@ -16,14 +16,14 @@ namespace suture::rpc {
 struct Caller {
   PeerIdentity identity;
   std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports
-  std::shared_ptr<ReceiveBudget> budget;         ///< of the server
-  /// The code that serves the peer sets this, once the peer has said what it wants. A link on which
+  std::shared_ptr<PeerBudget> budget;            ///< of the server, for unfinished messages
+  /// Is set by the code that serves the peer, once the peer has said what it wants. A link on which
   /// this stays false is closed after StreamLimits::helloMilliseconds.
   bool known = false;
 
   /// Returns what one more stream of the peer counts its unfinished messages by.
-  std::unique_ptr<ReceiveBudget::Share> share() const {
-    return std::make_unique<ReceiveBudget::Share>(budget, identity.text());
+  std::unique_ptr<PeerBudget::Share> share() const {
+    return std::make_unique<PeerBudget::Share>(budget, identity.text());
   }
 };
 
@@ -77,7 +77,7 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   StreamLimits limits_;
   std::size_t maxLinks_;
   std::size_t links_ = 0;
-  const std::shared_ptr<ReceiveBudget> budget_;
+  const std::shared_ptr<PeerBudget> budget_;
   kj::TaskSet tasks_;  // last: cancelled first
 };
 

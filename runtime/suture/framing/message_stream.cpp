@@ -122,7 +122,8 @@ kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
 // part and then nothing for a long time.
 void MessageStream::countUnfinished() {
   if (guard_.share == nullptr) return;
-  if (const auto beyond = guard_.share->hold(incoming_.longBytes())) refuse(*beyond);
+  const auto beyond = guard_.share->hold(incoming_.longBytes());
+  if (beyond) refuse(unfinishedBeyond(*beyond));
 }
 
 void MessageStream::refuse(std::string why) {

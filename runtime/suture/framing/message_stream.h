@@ -8,7 +8,7 @@
 #include <kj/async-unix.h>
 #include <kj/function.h>
 #include <suture/framing/frame_header.h>
-#include <suture/framing/receive_budget.h>
+#include <suture/framing/peer_budget.h>
 #include <suture/framing/receive_buffer.h>
 #include <suture/loop/event_port.h>
 #include <suture/loop/write_observer.h>
@@ -35,7 +35,7 @@ struct LinkCounters {
 /// Bounds what a peer that connected to us costs while we do not know it.
 struct StrangerGuard {
   std::shared_ptr<const bool> known;  ///< true once it has said who it is; null: it is known
-  std::unique_ptr<ReceiveBudget::Share> share;
+  std::unique_ptr<PeerBudget::Share> share;
 };
 
 /// Belongs to the control thread. Sends and receives messages over a connected, non-blocking stream

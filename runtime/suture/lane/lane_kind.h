@@ -8,12 +8,13 @@
 #include <kj/async.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/provided.h>
-#include <suture/framing/receive_budget.h>
+#include <suture/framing/peer_budget.h>
 #include <suture/lane/client_end.h>
 #include <suture/lane/provider_end.h>
 #include <suture/loop/control_thread.h>
 #include <suture/net/byte_stream.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -25,7 +26,7 @@ struct LaneSocket {
   std::uint32_t number = 0;  ///< its number in both processes
   rpc::ByteStream bytes;
   /// Counts unfinished messages of the peer; null: it was called, or the lane bounds them itself.
-  std::unique_ptr<rpc::ReceiveBudget::Share> share = nullptr;
+  std::unique_ptr<rpc::PeerBudget::Share> share = nullptr;
 };
 
 /// A ClientSession is what a lane may use of a session, in the client's process.
@@ -123,6 +124,10 @@ class LaneServer {
   virtual kj::Promise<AcceptedEnd> accept(IncomingConnection connection,
                                           capnp::AnyPointer::Reader brings,
                                           capnp::AnyPointer::Builder answer) = 0;
+  /// Returns how much memory accept() would take for the connection.
+  virtual std::size_t bytesFor(const IncomingConnection& connection) const {
+    return Channel::bytesFor(connection.contract);
+  }
   /// Takes a socket that the client has opened for this lane.
   virtual void opened(LaneSocket socket) = 0;
 };

@@ -43,9 +43,8 @@ class MessageStreamTest : public testing::Test {
 
   /// The peer is bounded to so many bytes of unfinished messages.
   void openBounded(std::size_t bytes) {
-    budget_ = std::make_shared<ReceiveBudget>(ReceiveBudget::Limits{.peer = bytes});
-    open({},
-         {.known = nullptr, .share = std::make_unique<ReceiveBudget::Share>(budget_, "the peer")});
+    budget_ = std::make_shared<PeerBudget>(PeerBudget::Limits{.peer = bytes, .process = bytes});
+    open({}, {.known = nullptr, .share = std::make_unique<PeerBudget::Share>(budget_, "the peer")});
   }
 
   auto read() { return stream_->read(); }
@@ -77,7 +76,7 @@ class MessageStreamTest : public testing::Test {
 
   EventPort port_;
   kj::AutoCloseFd peer_;
-  std::shared_ptr<ReceiveBudget> budget_;
+  std::shared_ptr<PeerBudget> budget_;
   kj::Own<MessageStream> stream_;
 };
 
@@ -300,8 +299,8 @@ TEST_F(MessageStreamTest, AWholeMessageCountsNoMore) {
   openBounded(100'000);
   sendAll(peer_, blobFrame(90'000));
   EXPECT_EQ(nextBlob(), 90'000);
-  ReceiveBudget::Share ofAnotherLink(budget_, "the peer");
-  EXPECT_EQ(ofAnotherLink.hold(90'000), std::nullopt);
+  PeerBudget::Share ofAnotherLink(budget_, "the peer");
+  EXPECT_FALSE(ofAnotherLink.hold(90'000));
 }
 
 TEST_F(MessageStreamTest, MessagesOfOneTurnLeaveTogether) {

@@ -175,6 +175,11 @@ class FrameServer final : public LaneServer {
                         commandsOf(request, connection.contract));
   }
 
+  // A value that comes in pieces is joined outside of the channel.
+  std::size_t bytesFor(const IncomingConnection& connection) const override {
+    return Channel::bytesFor(connection.contract) + largestSlot(connection.contract);
+  }
+
   // Connections on the socket before keep it for as long as they live.
   void opened(LaneSocket socket) override {
     link_ = std::make_shared<SessionLink>(kj::mv(socket), lane_.thread());

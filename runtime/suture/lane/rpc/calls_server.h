@@ -25,6 +25,9 @@ class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
 
   kj::Promise<AcceptedEnd> accept(IncomingConnection connection, capnp::AnyPointer::Reader brings,
                                   capnp::AnyPointer::Builder answer) override;
+  std::size_t bytesFor(const IncomingConnection& connection) const override {
+    return Channel::bytesFor(connection.provided.info());
+  }
   void opened(LaneSocket socket) override;
 
  private:

@@ -10,7 +10,8 @@
 #include <suture/session/provider/awaited_sockets.h>
 #include <suture/session/provider/latest_connections.h>
 #include <suture/session/provider/ledgers.h>
-#include <suture/session/provider/places.h>
+#include <suture/session/provider/limits/channel_memory.h>
+#include <suture/session/provider/limits/places.h>
 #include <suture/wiring/directory.h>
 
 #include <cstdint>
@@ -70,6 +71,7 @@ class PeerHost {
   kj::ForkedPromise<void> whenPublished_;
   Ledgers ledgers_;
   LatestConnections latest_;
+  ChannelMemory memory_;
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Channel>> served_;
   AwaitedSockets sockets_;

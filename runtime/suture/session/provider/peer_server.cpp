@@ -167,6 +167,23 @@ std::optional<Refusal> PeerServer::whyNotGiven(const Endpoint& endpoint) {
                                           " interfaces, and none is given more. Let go of some."};
 }
 
+std::optional<Refusal> PeerServer::whyNoMemory(const Endpoint& endpoint,
+                                               const ChannelMemory::Share& share,
+                                               std::size_t bytes) {
+  auto beyond = host_.memory_.hold(share, bytes);
+  if (beyond) {
+    host_.forgetClosed();  // they are kept for reports only
+    beyond = host_.memory_.hold(share, bytes);
+  }
+  if (!beyond) return std::nullopt;
+  return Refusal{Kind::LIMIT_REACHED,
+                 "use '" + endpoint.toString() + "': the connection would take " +
+                     std::to_string(bytes) + " bytes, and of the " + std::to_string(beyond->limit) +
+                     " for the connections of " + beyond->whose + " " +
+                     std::to_string(beyond->left) +
+                     " are left. Let go of some, or give its commands and events shorter queues."};
+}
+
 kj::Promise<void> PeerServer::connect(ConnectContext context) {
   auto in = context.getParams();
   const Endpoint endpoint = endpointOf(in.getToComponent(), in.getProvided());
@@ -197,6 +214,7 @@ struct PeerServer::Asked {
   Match match;
   ConnectContext context;
   Places::Place place;
+  ChannelMemory::Share memory;
 };
 
 kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& endpoint,
@@ -227,7 +245,8 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
                           .silence = silenceIn(in)},
            .match = match,
            .context = context,
-           .place = std::move(place)});
+           .place = std::move(place),
+           .memory = host_.memory_.share(caller_->identity.text())});
     }
     return kj::READY_NOW;
   } catch (const SetupError& error) {
@@ -256,14 +275,28 @@ bool PeerServer::mayTakeOver(const std::string& client, const std::string& name,
 kj::Promise<void> PeerServer::accept(const Asked& asked) {
   ConnectContext context = asked.context;
   return whenLane(stringOf(context.getParams().getLane()))
-      .then([context, connection = asked.connection](LaneServer* lane) mutable {
-        auto answer = context.getResults().initAccepted().initAnswer();
-        return lane->accept(connection, context.getParams().getBrings(), answer);
-      })
-      .then([this, asked](AcceptedEnd&& end) { accepted(asked, kj::mv(end)); },
-            [context](kj::Exception&& why) mutable {
-              context.getResults().setDeclined(textOf(rpc::describe(why)));
-            });
+      .then([this, asked](LaneServer* lane) { return make(*lane, asked); })
+      .then(
+          [this, asked](kj::Maybe<AcceptedEnd>&& made) {
+            KJ_IF_MAYBE (end, made) accepted(asked, kj::mv(*end));
+          },
+          [context](kj::Exception&& why) mutable {
+            context.getResults().setDeclined(textOf(rpc::describe(why)));
+          });
+}
+
+kj::Promise<kj::Maybe<AcceptedEnd>> PeerServer::make(LaneServer& lane, const Asked& asked) {
+  ConnectContext context = asked.context;
+  const auto in = context.getParams();
+  const Endpoint endpoint = endpointOf(in.getToComponent(), in.getProvided());
+  if (const auto refusal = whyNoMemory(endpoint, asked.memory, lane.bytesFor(asked.connection))) {
+    refuse(*refusal, context.getResults().initRefused());
+    return kj::Maybe<AcceptedEnd>();
+  }
+  auto answer = context.getResults().initAccepted().initAnswer();
+  return lane.accept(asked.connection, in.getBrings(), answer).then([](AcceptedEnd&& end) {
+    return kj::Maybe<AcceptedEnd>(kj::mv(end));
+  });
 }
 
 // The process may still be adding lanes until it publishes.
@@ -296,6 +329,7 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   host_.ledgers_.keep(admission_.proven(asked.connection.terms.name), incarnation_, ledger);
   ledger->begin(accepted.channel, incarnation_);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
+  host_.memory_.keep(accepted.channel, asked.memory);
   keep({kj::addRef(end), accepted.channel, asked.place});
   if (in.getEpoch() != 0) host_.latest_.set(asked.client, latestAt(context, &end));
   auto out = context.getResults().getAccepted();
@@ -372,8 +406,15 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
                                             .events = ~EventSet{0},
                                             .provider = host_.serverOf_(provided),
                                             .readOnly = admission_.mayOnlyRead(endpoint)};
+        const ChannelMemory::Share memory = host_.memory_.share(caller_->identity.text());
+        const std::size_t bytes = Channel::bytesFor(provided.info());
+        if (const auto refusal = whyNoMemory(endpoint, memory, bytes)) {
+          refuse(*refusal, context.getResults().initRefused());
+          return kj::READY_NOW;
+        }
         auto channel = rpc::callsChannel(host_.control_, connection);
         auto port = rpc::serveCalls(host_.control_, connection, channel, caller_->counters);
+        host_.memory_.keep(channel, memory);
         keep({kj::addRef(*port), channel, place});
         attach(provided, std::move(channel));
         context.getResults().setContract(kj::heap<rpc::Servant>(kj::mv(port)));

@@ -5,8 +5,8 @@
 #include <suture/names/records.h>
 #include <suture/session/provider/admission.h>
 #include <suture/session/provider/client_leases.h>
+#include <suture/session/provider/limits/places.h>
 #include <suture/session/provider/peer_host.h>
-#include <suture/session/provider/places.h>
 #include <suture/session/provider/second_sockets.h>
 
 #include <map>
@@ -57,6 +57,8 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   bool mayTakeOver(const std::string& client, const std::string& name, ConnectContext& context);
   /// Makes the connection by the lane that was asked for, or declines it.
   kj::Promise<void> accept(const Asked& asked);
+  /// Resolves to the end that the lane makes; nothing: the request has been refused.
+  kj::Promise<kj::Maybe<AcceptedEnd>> make(LaneServer& lane, const Asked& asked);
   void accepted(const Asked& asked, AcceptedEnd accepted);
   /// Returns the lane of that name in this session; nullptr: this process has no such lane.
   LaneServer* laneNamed(const std::string& name);
@@ -69,6 +71,9 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
   /// Returns why the caller may not have that interface.
   std::optional<Refusal> whyNotGiven(const Endpoint& endpoint);
+  /// Holds in `share` what a connection to that interface needs; or returns why it may not have it.
+  std::optional<Refusal> whyNoMemory(const Endpoint& endpoint, const ChannelMemory::Share& share,
+                                     std::size_t bytes);
   /// Returns a call that fails. Tells also the operator of this process.
   kj::Promise<void> fail(const std::string& why);
   /// Tells the caller and, in this process, its operator.

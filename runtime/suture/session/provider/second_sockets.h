@@ -4,7 +4,7 @@
 #include <suture/framing/link_server.h>
 #include <suture/lane/lanes.h>
 #include <suture/session/provider/awaited_sockets.h>
-#include <suture/session/provider/places.h>
+#include <suture/session/provider/limits/places.h>
 
 #include <cstdint>
 #include <map>

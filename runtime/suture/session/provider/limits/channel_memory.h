@@ -1,0 +1,45 @@
+#pragma once
+// This bounds the memory that the connections of peers take in the provider's process.
+
+#include <suture/component/channel/channel.h>
+#include <suture/framing/peer_budget.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Belongs to the control thread. What a connection will need is held before it is built, and until
+/// the last thread has dropped its channel, because a task that hangs keeps those that are over.
+class ChannelMemory {
+ public:
+  static constexpr rpc::PeerBudget::Limits kLimits{.peer = std::size_t{512} << 20,
+                                                   .process = std::size_t{2} << 30};
+  using Share = std::shared_ptr<rpc::PeerBudget::Share>;
+
+  explicit ChannelMemory(const rpc::PeerBudget::Limits& limits = kLimits)
+      : budget_(std::make_shared<rpc::PeerBudget>(limits)) {}
+
+  /// Returns what counts for one connection of that peer; it holds nothing yet.
+  Share share(const std::string& peer) const {
+    return std::make_shared<rpc::PeerBudget::Share>(budget_, peer);
+  }
+  /// Has `share` hold so many bytes; returns which limit that would break.
+  std::optional<rpc::PeerBudget::Beyond> hold(const Share& share, std::size_t bytes);
+  /// Keeps `share` for as long as somebody has the channel that was built.
+  void keep(const std::shared_ptr<Channel>& channel, Share share);
+
+ private:
+  struct Kept {
+    std::weak_ptr<Channel> channel;
+    Share share;
+  };
+
+  const std::shared_ptr<rpc::PeerBudget> budget_;
+  std::vector<Kept> kept_;
+};
+
+}  // namespace suture
