@@ -154,6 +154,8 @@ interface Notices {
   # connection any more: it has to be made anew.
   earlier @5 (earlier :Earlier) -> ();
   # The last word on the connections of the same name before.
+  refused @6 (why :Text);
+  # The provider's process has refused what came by the connection, which ends. why: in words.
 }
 
 struct Tally {

@@ -25,7 +25,7 @@ namespace suture {
 struct LaneSocket {
   std::uint32_t number = 0;  ///< its number in both processes
   rpc::ByteStream bytes;
-  /// Counts unfinished messages of the peer; null: it was called, or the lane bounds them itself.
+  /// Counts what the peer has begun to send; null: it was called.
   std::unique_ptr<rpc::PeerBudget::Share> share = nullptr;
 };
 

@@ -9,6 +9,7 @@
 #include <suture/component/channel/counts/ledger.h>
 
 #include <memory>
+#include <string>
 
 namespace suture::rpc {
 
@@ -21,6 +22,8 @@ class ProviderEnd : public kj::Refcounted {
     virtual void told(ChannelStatus status) = 0;
     /// Passes on the outcomes of the commands of earlier connections.
     virtual void tells(const Earlier& earlier) = 0;
+    /// Tells what of the client was refused, so that the connection ends.
+    virtual void refuses(const std::string& why) = 0;
   };
 
   void setListener(kj::Own<Listener> listener) { listener_ = kj::mv(listener); }

@@ -11,15 +11,17 @@
 namespace suture {
 
 /// Belongs to the control thread. Passes on the status of a connection by shm or frame.
-class StatusPort final : public rpc::ProviderEnd, private rpc::Pump {
+class StatusPort : public rpc::ProviderEnd, private rpc::Pump {
  public:
   /// `channel` will be attached to the provider; its watcher is the control thread.
   StatusPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel);
   ~StatusPort() noexcept(false) { close(); }
 
+ protected:
+  void pump() override { pumpStatus(); }
+
  private:
   void ending() override { control_.remove(*this); }
-  void pump() override { pumpStatus(); }
 
   rpc::ControlThread& control_;
 };

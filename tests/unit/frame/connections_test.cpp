@@ -4,14 +4,19 @@
 #include <suture/frame.capnp.h>
 #include <suture/framing/preamble.h>
 #include <suture/lane/frame/bytes/frame_writer.h>
+#include <suture/lane/frame/payloads/payloads.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "reference/connect_request.h"
 #include "reference/played_client.h"
 #include "reference/remote_arm.h"
+#include "support/contains.h"
 #include "support/patience.h"
 #include "unit/rpc/socket_pair.h"
 
@@ -116,7 +121,7 @@ class Caller : public reference::PlayedClient {
  public:
   explicit Caller(const std::string& manager) : PlayedClient(manager, "robot") {}
   ~Caller() {
-    control_.run(kPatience, [this] { connection_ = nullptr; });
+    control_.run(kPatience, [this] { connections_.clear(); });
   }
 
   struct Socket {
@@ -138,18 +143,21 @@ class Caller : public reference::PlayedClient {
     });
   }
   /// Returns why the arm is not connected by frames on that socket; "" if it is.
-  std::string connect(std::uint32_t socket) {
-    return control_.run(kPatience, [this, socket] {
+  std::string connect(std::uint32_t socket, frame::Form form = frame::Form::Slots) {
+    return control_.run(kPatience, [this, socket, form] {
       auto request = peer().connectRequest();
       reference::askForArm(request, "test");
       request.setLane("frame");
       auto frame = request.initBrings().initAs<wire::FrameRequest>();
-      frame.setLayout(memoryLayout(interfaceInfo<reference::ArmLike>()).c_str());
+      if (form == frame::Form::Slots) {
+        frame.setLayout(memoryLayout(interfaceInfo<reference::ArmLike>()).c_str());
+      }
+      request.setNotices(kj::heap<Hearer>(refused_));
       frame.setSocket(socket);
       return request.send().then([this](auto&& results) -> std::string {
         if (results.isRefused()) return results.getRefused().getText();
         if (results.isDeclined()) return results.getDeclined();
-        connection_ = results.getAccepted().getConnection();
+        connections_.push_back(results.getAccepted().getConnection());
         number_ =
             results.getAccepted().getAnswer().template getAs<wire::FrameAnswer>().getConnection();
         return std::string();
@@ -158,10 +166,25 @@ class Caller : public reference::PlayedClient {
   }
   /// Returns the number that the frames of that connection carry.
   std::uint32_t number() const { return number_; }
+  /// Returns why the robot has refused what it was sent; "" if it has not.
+  std::string refused() {
+    return control_.run(kPatience, [this] { return refused_; });
+  }
 
  private:
+  /// Is told by the robot.
+  struct Hearer final : wire::Notices::Server {
+    explicit Hearer(std::string& refused) : why(refused) {}
+    kj::Promise<void> refused(RefusedContext context) override {
+      why = context.getParams().getWhy();
+      return kj::READY_NOW;
+    }
+    std::string& why;
+  };
+
   std::uint32_t number_ = 0;
-  kj::Maybe<wire::Connection::Client> connection_;
+  std::string refused_;
+  std::vector<wire::Connection::Client> connections_;
 };
 
 /// Opens a second connection, blocking, that shows the token.
@@ -223,6 +246,69 @@ TEST_F(FrameConnections, AStrangerGetsNoToken) {
   EXPECT_THROW(caller.socket(), rpc::ControlFailure);
   caller.greet();
   caller.socket();
+}
+
+/// Begins values that are as large as may be, and ends none.
+class Beginner : public Caller {
+ public:
+  explicit Beginner(const std::string& manager) : Caller(manager) {
+    greet();
+    const Socket opened = Caller::socket();
+    socket_ = secondConnection(provider(), opened.token);
+    EXPECT_TRUE(isServed(socket_));
+    number_ = opened.number;
+    writer_.emplace(number_);
+  }
+  /// Begins one on a connection of its own, and sends most of it.
+  void begin() {
+    ASSERT_EQ(connect(number_, frame::Form::Encoded), "");
+    const frame::Header header{.kind = frame::Kind::Piece,
+                               .number = static_cast<std::uint16_t>(frame::Kind::Command),
+                               .call = 16u << 20,
+                               .connection = number()};
+    for (int piece = 0; piece < 250; ++piece) {
+      std::memset(writer_->begin(header, frame::kMostPayload), 0, frame::kMostPayload);
+      writer_->finish();
+      const auto unsent = writer_->unsent();
+      if (send(socket_, unsent.data(), unsent.size(), MSG_NOSIGNAL) < 0) return;
+      writer_->sent(unsent.size());
+    }
+  }
+
+ private:
+  kj::AutoCloseFd socket_;
+  std::uint32_t number_ = 0;
+  std::optional<frame::FrameWriter> writer_;
+};
+
+// Neither takes more than a link may.
+TEST_F(FrameConnections, OfAPeerTakeFromOneBudget) {
+  begin("tcp://127.0.0.1:0");
+  Beginner first(manager()), second(manager());
+  for (int value = 0; value < 3; ++value) first.begin();
+  EXPECT_EQ(robot->refusals().count, 0u) << robot->refusals().latest;
+  for (int value = 0; value < 2; ++value) second.begin();
+  const std::string why =
+      "the unfinished messages of a peer without proof of who it is (plain TCP) would need more "
+      "than 67108864 bytes. Send smaller ones, or fewer at a time";
+  EXPECT_TRUE(eventually([&] { return contains(robot->refusals().latest, why); }))
+      << robot->refusals().latest;
+  EXPECT_EQ(robot->refusals().count, 1u);
+  EXPECT_TRUE(eventually([&] { return second.refused() == why; })) << second.refused();
+  EXPECT_EQ(first.refused(), "");
+}
+
+TEST_F(FrameConnections, OfWhichAFrameMakesNoSenseAreToldSo) {
+  begin("tcp://127.0.0.1:0");
+  Caller caller(manager());
+  caller.greet();
+  const Caller::Socket socket = caller.socket();
+  const kj::AutoCloseFd frames = secondConnection(caller.provider(), socket.token);
+  ASSERT_TRUE(isServed(frames));
+  ASSERT_EQ(caller.connect(socket.number), "");
+  subscribe(frames, socket.number + 1, caller.number());
+  EXPECT_TRUE(eventually([&] { return !caller.refused().empty(); }));
+  EXPECT_TRUE(contains(robot->refusals().latest, caller.refused())) << robot->refusals().latest;
 }
 
 TEST_F(FrameConnections, AForgedTokenIsRefused) {

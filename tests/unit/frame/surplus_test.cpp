@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "reference/played_channel.h"
+#include "support/contains.h"
 #include "support/repetitions.h"
 #include "support/test_thread.h"
 #include "unit/frame/sides.h"
@@ -23,6 +24,9 @@ namespace {
 /// Holds a link, and a peer whose values are as large as may be.
 class Growing {
  public:
+  explicit Growing(std::unique_ptr<rpc::PeerBudget::Share> share = nullptr)
+      : link(rpc::ByteStream(kj::mv(sockets_.ours)), 1, std::move(share)) {}
+
   /// Adds a connection, and returns what is gone when its end has been noticed.
   std::weak_ptr<Connection> add() {
     channel->status = ChannelStatus::Connected;
@@ -62,13 +66,41 @@ class Growing {
 
  public:
   const std::shared_ptr<Channel> channel = reference::armChannel(reference::playedEnds(), "frame");
-  Link link{rpc::ByteStream(kj::mv(sockets_.ours)), 1};
+  Link link;
 };
 
 TEST(Surplus, IsBoundedForTheWholeLink) {
   const int room = Growing().room();
   EXPECT_GE(room, static_cast<int>(Surplus::kMost / kMostPayload));
   EXPECT_LT(room, static_cast<int>(Surplus::kMost / kMostPayload) + 10);
+}
+
+/// Has what one peer, or the whole process, may hold.
+std::shared_ptr<rpc::PeerBudget> budgetOf(std::size_t peer, std::size_t process) {
+  return std::make_shared<rpc::PeerBudget>(rpc::PeerBudget::Limits{peer, process});
+}
+
+TEST(Surplus, IsOfTheBudgetOfItsPeer) {
+  const auto budget = budgetOf(10 * kMostPayload, 100 * kMostPayload);
+  const auto share = [&] { return std::make_unique<rpc::PeerBudget::Share>(budget, "the peer"); };
+  const auto unfinished = share();
+  ASSERT_FALSE(unfinished->hold(4 * kMostPayload));
+  Growing growing(share());
+  EXPECT_LT(growing.room(), 10);
+  EXPECT_EQ(growing.link.refusal(),
+            "the unfinished messages of the peer would need more than 655360 bytes. Send smaller "
+            "ones, or fewer at a time");
+}
+
+TEST(Surplus, IsOfTheBudgetOfTheProcess) {
+  const auto budget = budgetOf(10 * kMostPayload, 12 * kMostPayload);
+  Surplus first(std::make_unique<rpc::PeerBudget::Share>(budget, "one peer"));
+  Surplus second(std::make_unique<rpc::PeerBudget::Share>(budget, "another"));
+  ASSERT_TRUE(first.take(9 * kMostPayload));
+  EXPECT_FALSE(second.take(4 * kMostPayload));
+  EXPECT_TRUE(contains(second.whyNot(), "the unfinished messages of all peers would need"));
+  first.giveBack(kMostPayload);
+  EXPECT_TRUE(second.take(4 * kMostPayload));
 }
 
 // The thread that ends a connection does so at any moment of a turn.

@@ -18,9 +18,10 @@ bool Connection::over() const {
   return broken() || status == ChannelStatus::Closed || status == ChannelStatus::Lost;
 }
 
-void Connection::breakOff(const std::string& why) {
+void Connection::breakOff(const std::string& why, const std::string& refusal) {
   if (over()) return;
   why_ = why;
+  refusal_ = refusal;
   broken_.store(true, std::memory_order_release);
   channel_->ends.watcher->ring();
 }

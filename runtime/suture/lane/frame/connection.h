@@ -41,14 +41,17 @@ class Connection {
 
   /// Returns true if there is nothing to carry any more.
   bool over() const;
-  /// Call it when the link carries nothing any more.
-  void breakOff(const std::string& why);
+  /// Call it when the link carries nothing any more. `refusal` says what of the peer this end has
+  /// refused; "": nothing.
+  void breakOff(const std::string& why, const std::string& refusal = {});
 
   /// Any thread. Returns true if the link carries nothing any more; the channel's watcher has been
   /// rung then.
   bool broken() const { return broken_.load(std::memory_order_acquire); }
   /// Any thread, once broken(). Returns why, in words.
   const std::string& why() const { return why_; }
+  /// Likewise; returns what this end refused.
+  const std::string& refusal() const { return refusal_; }
 
  protected:
   /// `number` is its number on its link.
@@ -90,7 +93,7 @@ class Connection {
   Header whole_;                     // of the value that is being sent
   std::uint32_t wholeSize_ = 0;      // its bytes
   std::span<const std::byte> rest_;  // the bytes that have not been sent
-  std::string why_;
+  std::string why_, refusal_;
   std::atomic<bool> broken_{false};
 };
 

@@ -22,7 +22,8 @@ constexpr unsigned kMostCommands = 4096;
 /// A SessionLink is the socket of a session, and its number at both ends.
 struct SessionLink {
   SessionLink(LaneSocket socket, LaneThread& thread)
-      : number(socket.number), link(std::make_shared<Link>(kj::mv(socket.bytes), number)) {
+      : number(socket.number),
+        link(std::make_shared<Link>(kj::mv(socket.bytes), number, std::move(socket.share))) {
     rpc::keepUnsentShort(link->descriptor());
     thread.add(link);
   }
@@ -150,10 +151,14 @@ class FrameClient final : public LaneClient {
   std::shared_ptr<SessionLink> link_;  // as long as the session has no other
 };
 
-class FrameServer final : public LaneServer {
+class FrameServer final : public LaneServer, private rpc::Pump {
  public:
-  FrameServer(FrameLane& lane, ServerSession& session) : lane_(lane), session_(session) {}
+  FrameServer(FrameLane& lane, ServerSession& session) : lane_(lane), session_(session) {
+    session_.control().add(*this);
+  }
   ~FrameServer() noexcept(false) {
+    session_.control().remove(*this);
+    pump();
     link_ = nullptr;
     lane_.thread().doorbell()->ring();
   }
@@ -182,10 +187,18 @@ class FrameServer final : public LaneServer {
 
   // Connections on the socket before keep it for as long as they live.
   void opened(LaneSocket socket) override {
+    pump();
     link_ = std::make_shared<SessionLink>(kj::mv(socket), lane_.thread());
+    told_ = false;
   }
 
  private:
+  // Tells the operator of this process what ended the link, if the peer is to blame.
+  void pump() override {
+    if (told_ || link_ == nullptr || !link_->broken() || link_->link->refusal().empty()) return;
+    told_ = true;
+    session_.cutOff(link_->link->refusal());
+  }
   bool carries(std::uint32_t socket) const {
     return link_ != nullptr && link_->number == socket && !link_->broken();
   }
@@ -193,6 +206,7 @@ class FrameServer final : public LaneServer {
   FrameLane& lane_;
   ServerSession& session_;
   std::shared_ptr<SessionLink> link_;
+  bool told_ = false;         // what of it was refused
   std::uint32_t latest_ = 0;  // connection
 };
 

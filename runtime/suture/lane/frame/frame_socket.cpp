@@ -32,7 +32,7 @@ FrameSocket::FrameSocket(rpc::ByteStream bytes, std::uint32_t epoch)
 const Header* FrameSocket::next() {
   if (broken()) return nullptr;
   const Header* const header = reader_.next();
-  if (reader_.fault() != Fault::None) breakOff(toString(reader_.fault()));
+  if (reader_.fault() != Fault::None) refuse(toString(reader_.fault()));
   return header;
 }
 

@@ -44,9 +44,16 @@ class FrameSocket {
   void cut() { bytes_.cut(); }
   /// Ends sending and receiving; `why` says the reason in words.
   void breakOff(std::string why) { why_ = std::move(why); }
+  /// Does the same because of what the peer sent.
+  void refuse(std::string why) {
+    refusal_ = why;
+    breakOff(std::move(why));
+  }
   bool broken() const { return !why_.empty(); }
   /// Returns why nothing comes or goes any more, in words; "" if it does.
   const std::string& why() const { return why_; }
+  /// Returns what of the peer was refused, in words; "" if nothing was.
+  const std::string& refusal() const { return refusal_; }
 
  private:
   const std::uint32_t epoch_;
@@ -54,7 +61,7 @@ class FrameSocket {
   FrameReader reader_;
   FrameWriter writer_;
   bool empty_ = false;  // nothing has arrived that has not been received
-  std::string why_;
+  std::string why_, refusal_;
 };
 
 }  // namespace suture::frame

@@ -1,9 +1,9 @@
 #include <suture/lane/frame/client_side.h>
 #include <suture/lane/frame/frame_end.h>
 #include <suture/lane/frame/framed_connection.h>
+#include <suture/lane/frame/provider_port.h>
 #include <suture/lane/mirrored_channel.h>
 #include <suture/lane/providers_ends.h>
-#include <suture/lane/status_port.h>
 
 #include <utility>
 
@@ -29,10 +29,10 @@ AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& o
       std::make_shared<Channel>(contract, connection.terms, on.lane,
                                 providersEnds(connection, bell, control.sharedDoorbell()),
                                 connection.provided.state(), connection.events);
-  auto end = kj::refcounted<StatusPort>(control, channel);
   const auto side = std::make_shared<ProviderSide>(channel, makePayloads(contract, on.form),
                                                    on.number, std::move(commands));
   if (connection.readOnly) side->setReadOnly();
+  auto end = kj::refcounted<ProviderPort>(control, channel, side);
   on.link->join(side);
   bell->ring();
   return AcceptedEnd{kj::mv(end), std::move(channel)};

@@ -63,7 +63,10 @@ void Link::receive() {
   do {
     takeJoined();
     while (const Header* const header = socket_.next()) {
-      if (!take(*header)) return socket_.breakOff("a frame makes no sense");
+      if (!take(*header)) {
+        const std::string& why = surplus_.whyNot();
+        return socket_.refuse(why.empty() ? "a frame makes no sense" : why);
+      }
       any = true;
     }
   } while (++fills < kMostFills && socket_.receive());
@@ -96,8 +99,9 @@ bool Link::send() {
 void Link::breakAll() {
   const std::lock_guard lock(mutex_);
   broken_.store(true, std::memory_order_release);
-  for (const auto& one : joined_) one->breakOff(socket_.why());
-  for (const auto& one : connections_) one->breakOff(socket_.why());
+  for (const auto* all : {&joined_, &connections_}) {
+    for (const auto& one : *all) one->breakOff(socket_.why(), socket_.refusal());
+  }
 }
 
 bool Link::endIfEmpty() {

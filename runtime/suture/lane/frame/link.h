@@ -18,8 +18,11 @@ namespace suture::frame {
 /// have to send leaves in one send, and arrives in one receipt; it breaks for all of them.
 class Link {
  public:
-  /// `epoch` is in every frame, and the same at the other end.
-  Link(rpc::ByteStream bytes, std::uint32_t epoch) : socket_(std::move(bytes), epoch) {}
+  /// `epoch` is in every frame, and the same at the other end. `share` counts what values take
+  /// beyond their contracts; null: the peer was called.
+  Link(rpc::ByteStream bytes, std::uint32_t epoch,
+       std::unique_ptr<rpc::PeerBudget::Share> share = nullptr)
+      : socket_(std::move(bytes), epoch), surplus_(std::move(share)) {}
   ~Link() { end(); }
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
@@ -29,6 +32,9 @@ class Link {
   void join(std::shared_ptr<Connection> connection);
   /// Any thread. Returns true if it carries nothing any more.
   bool broken() const { return broken_.load(std::memory_order_acquire); }
+  /// Any thread, once broken(). Returns what this end refused of the peer, in words; "" if the link
+  /// has just ended.
+  const std::string& refusal() const { return socket_.refusal(); }
   /// Breaks it if it has no connection, as after the last one. Returns false if it has one.
   bool endIfEmpty();
 

@@ -1,5 +1,9 @@
+#include <suture/base/plain.h>
 #include <suture/session/client/notices_receiver.h>
 #include <suture/wire/tallies.h>
+#include <suture/wire/text.h>
+
+#include <utility>
 
 namespace suture {
 namespace {
@@ -19,14 +23,14 @@ void ProviderNews::close() {
   KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
 }
 
-void ProviderNews::lapse() {
-  lapsed_ = true;
-  KJ_IF_MAYBE (end, end_) (*end)->tellBroken(kLapsed);
+void ProviderNews::giveUp(std::string why) {
+  givenUp_ = std::move(why);
+  KJ_IF_MAYBE (end, end_) (*end)->tellBroken(givenUp_);
 }
 
 void ProviderNews::passOnTo(kj::Own<rpc::ClientEnd> end) {
   end->tell(status_);
-  if (lapsed_) end->tellBroken(kLapsed);
+  if (!givenUp_.empty()) end->tellBroken(givenUp_);
   if (closed_) end->close(ChannelStatus::Lost);
   end_ = kj::mv(end);
 }
@@ -52,7 +56,15 @@ kj::Promise<void> NoticesReceiver::earlier(EarlierContext context) {
 }
 
 kj::Promise<void> NoticesReceiver::lapsed(LapsedContext) {
-  news_->lapse();
+  news_->giveUp(kLapsed);
+  return kj::READY_NOW;
+}
+
+// The end of the socket may have been noticed already, which says nothing of the reason.
+kj::Promise<void> NoticesReceiver::refused(RefusedContext context) {
+  std::string why = "refused: " + plain(stringOf(context.getParams().getWhy()));
+  lost_(why);
+  news_->giveUp(std::move(why));
   return kj::READY_NOW;
 }
 

@@ -17,22 +17,23 @@ class ProviderNews final : public kj::Refcounted {
  public:
   void tell(ChannelStatus status);
   void close();
-  /// Tells the client that the provider has given it up.
-  void lapse();
+  /// Tells the client that the provider has given the connection up, and why.
+  void giveUp(std::string why);
 
   void passOnTo(kj::Own<rpc::ClientEnd> end);
 
  private:
   ChannelStatus status_ = ChannelStatus::Connected;
   bool closed_ = false;
-  bool lapsed_ = false;
+  std::string givenUp_;  // why; "": it is not
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
 };
 
 /// The provider's process calls this.
 class NoticesReceiver final : public wire::Notices::Server {
  public:
-  /// `lost` gets in words why the provider has closed the connection, before the client is told.
+  /// `lost` gets in words why the provider has closed or refused the connection, also after its end
+  /// has been noticed.
   NoticesReceiver(kj::Own<ProviderNews> news, std::shared_ptr<Ledger> ledger,
                   std::function<void(std::string)> lost)
       : news_(kj::mv(news)), ledger_(std::move(ledger)), lost_(std::move(lost)) {}
@@ -42,6 +43,7 @@ class NoticesReceiver final : public wire::Notices::Server {
   kj::Promise<void> suspended(SuspendedContext context) override;
   kj::Promise<void> resumed(ResumedContext context) override;
   kj::Promise<void> lapsed(LapsedContext context) override;
+  kj::Promise<void> refused(RefusedContext context) override;
   kj::Promise<void> earlier(EarlierContext context) override;
   kj::Promise<void> closed(ClosedContext context) override;
 

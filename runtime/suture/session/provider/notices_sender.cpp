@@ -1,5 +1,6 @@
 #include <suture/session/provider/notices_sender.h>
 #include <suture/wire/tallies.h>
+#include <suture/wire/text.h>
 
 namespace suture {
 
@@ -17,6 +18,12 @@ void NoticesSender::told(ChannelStatus status) {
 void NoticesSender::tells(const Earlier& earlier) {
   auto request = client_.earlierRequest();
   toWire(earlier, request.initEarlier());
+  send(kj::mv(request));
+}
+
+void NoticesSender::refuses(const std::string& why) {
+  auto request = client_.refusedRequest();
+  request.setWhy(textOf(why));
   send(kj::mv(request));
 }
 

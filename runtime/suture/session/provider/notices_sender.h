@@ -5,6 +5,8 @@
 #include <suture/loop/control_thread.h>
 #include <suture/peer.capnp.h>
 
+#include <string>
+
 namespace suture {
 
 /// Belongs to the control thread. It does not matter here if the client gets the news.
@@ -15,6 +17,7 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
 
   void told(ChannelStatus status) override;
   void tells(const Earlier& earlier) override;
+  void refuses(const std::string& why) override;
 
  private:
   template <class Request>
