@@ -88,7 +88,8 @@ class LaneClient {
 class ServerSession {
  public:
   virtual rpc::ControlThread& control() = 0;
-  /// Tells the operator of this process why a socket of the peer was closed.
+  /// Tells the operator of this process why a socket of the peer was closed, or what it asked on
+  /// one in vain.
   virtual void cutOff(const std::string& why) = 0;
 
  protected:

@@ -299,6 +299,10 @@ TEST_F(BrokenClient, ShowsATokenOfItsOwn) {
   Client client(manager());
   EXPECT_TRUE(
       contains(refusal([&] { client.forge(); }), "nobody awaits a second connection there"));
+  EXPECT_TRUE(contains(robot->refusals().latest,
+                       "open a second connection to process 'robot': it awaits none that shows "
+                       "this token. Connect anew."))
+      << robot->refusals().latest;
 }
 
 TEST_F(BrokenClient, ConnectsOnAMissingSocket) {
@@ -312,6 +316,9 @@ TEST_F(BrokenClient, AsksAboutAMissingConnection) {
   client.greet();
   EXPECT_TRUE(contains(refusal([&] { client.askForContract(77); }),
                        "no such connection has been accepted on this socket"));
+  EXPECT_EQ(robot->refusals().count, 1u);
+  EXPECT_TRUE(contains(robot->refusals().latest, "no such connection has been accepted on this"))
+      << robot->refusals().latest;
 }
 
 TEST_F(BrokenClient, NeverLetsGoOfWhatItOpens) {

@@ -17,13 +17,16 @@ using Type = kj::Exception::Type;
 /// A Bootstrap is what a client reaches through a socket.
 class CallsServer::Bootstrap final : public wire::Calls::Server {
  public:
-  explicit Bootstrap(std::shared_ptr<Contracts> contracts) : contracts_(std::move(contracts)) {}
+  Bootstrap(ServerSession& session, std::shared_ptr<Contracts> contracts)
+      : session_(session), contracts_(std::move(contracts)) {}
 
  protected:
   kj::Promise<void> contract(ContractContext context) override {
     const auto found = contracts_->find(context.getParams().getConnection());
     if (found == contracts_->end()) {
-      return failure(Type::FAILED, "no such connection has been accepted on this socket");
+      const char* const why = "no such connection has been accepted on this socket";
+      session_.cutOff(why);
+      return failure(Type::FAILED, why);
     }
     kj::Own<ServantPort> port = kj::mv(found->second.port);
     contracts_->erase(found);
@@ -33,6 +36,7 @@ class CallsServer::Bootstrap final : public wire::Calls::Server {
   }
 
  private:
+  ServerSession& session_;
   const std::shared_ptr<Contracts> contracts_;
 };
 
@@ -76,7 +80,7 @@ void CallsServer::opened(LaneSocket socket) {
       kj::heap<MessageStream>(session_.control().port(), kj::mv(socket.bytes), StreamLimits{},
                               std::span<const std::byte>(), std::move(guard));
   auto link = kj::heap<Link>(kj::mv(stream), capnp::rpc::twoparty::Side::SERVER,
-                             wire::Calls::Client(kj::heap<Bootstrap>(contracts)));
+                             wire::Calls::Client(kj::heap<Bootstrap>(session_, contracts)));
   sockets_.emplace(number, Socket{std::move(contracts), link.get()});
   auto ended = link->onDisconnect().then([this, number, &one = *link] {
     if (!one.refusal().empty()) session_.cutOff(one.refusal());

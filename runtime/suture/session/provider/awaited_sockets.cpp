@@ -28,11 +28,12 @@ kj::Own<AwaitedSockets::Awaiting> AwaitedSockets::await(const rpc::PeerIdentity&
   return kj::heap<Awaiting>(all_, token);
 }
 
-void AwaitedSockets::arrived(const rpc::Token& token, rpc::ByteStream bytes) {
+bool AwaitedSockets::arrived(const rpc::Token& token, rpc::ByteStream bytes) {
   const auto found = all_.find(token);
-  if (found == all_.end() || !isSame(found->second.who, bytes.peer())) return;
+  if (found == all_.end() || !isSame(found->second.who, bytes.peer())) return false;
   auto awaited = all_.extract(found);
   if (rpc::sendToken(bytes, token)) awaited.mapped().take(kj::mv(bytes));
+  return true;
 }
 
 }  // namespace suture

@@ -40,9 +40,9 @@ class AwaitedSockets {
   /// returns. Throws SetupError if the kernel refuses.
   kj::Own<Awaiting> await(const rpc::PeerIdentity& who, Take take);
 
-  /// Takes a connection that has come and shows `token`. Closes it if it is not awaited, or not any
-  /// more, or not of this peer.
-  void arrived(const rpc::Token& token, rpc::ByteStream bytes);
+  /// Takes a connection that has come and shows `token`. Closes it, and returns false, if it is not
+  /// awaited, or not any more, or not of this peer.
+  bool arrived(const rpc::Token& token, rpc::ByteStream bytes);
 
  private:
   All all_;

@@ -31,7 +31,7 @@ PeerHost::PeerHost(rpc::ControlThread& control, const Lanes& lanes, const Direct
           [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); },
           refusals_, rpc::StreamLimits{}, kMostCallers, security.trust(),
           [this](const rpc::Token& token, rpc::ByteStream bytes) {
-            sockets_.arrived(token, kj::mv(bytes));
+            arrived(token, kj::mv(bytes));
           }) {
   auto pair = kj::newPromiseAndFulfiller<void>();
   published_ = kj::mv(pair.fulfiller);
@@ -47,6 +47,13 @@ capnp::Capability::Client PeerHost::offerTo(std::shared_ptr<rpc::Caller> caller)
                        "talk to process '" + directory_.process() +
                            "': its policy has no rule for " + who.text() +
                            ". Add one, or use another process.");
+}
+
+void PeerHost::arrived(const rpc::Token& token, rpc::ByteStream bytes) {
+  const std::string who = bytes.peer().text();
+  if (sockets_.arrived(token, kj::mv(bytes))) return;
+  refusals_.add(who, "open a second connection to process '" + directory_.process() +
+                         "': it awaits none that shows this token. Connect anew.");
 }
 
 std::vector<std::shared_ptr<Channel>> PeerHost::served() const {

@@ -52,6 +52,9 @@ class PeerHost {
   /// Returns what serves a new link: this process, or the reason why not.
   capnp::Capability::Client offerTo(std::shared_ptr<rpc::Caller> caller);
 
+  /// Takes a second connection that has come; refuses one that is not awaited.
+  void arrived(const rpc::Token& token, rpc::ByteStream bytes);
+
   using Latest = LatestConnections::Latest;
 
   /// Adds to served(), and drops channels that have been closed.
