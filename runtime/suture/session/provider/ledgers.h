@@ -7,29 +7,43 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace suture {
 
-/// Belongs to the control thread. Names of connections are given here with who has proved to be
-/// behind them. Peers choose them, so what is over is dropped beyond a bound.
+/// Belongs to the control thread. A peer is who has proved to be behind a connection; it chooses
+/// the names of connections. So beyond a bound for each peer, the sums that it has used the longest
+/// time ago are dropped. From then on this process tells that peer no last counts for a name that
+/// it does not know, because it may have known it. Other peers, and names that it knows, notice
+/// nothing.
 class Ledgers {
  public:
-  /// Returns the sums of the connection of that name with that start of its client's process; an
-  /// attempt that is never accepted leaves nothing behind.
-  std::shared_ptr<Ledger> of(const std::string& name, std::uint64_t client);
+  static constexpr std::size_t kMostOfPeer = 1024;
+
+  /// Returns the sums of the peer's connection of that name with that start of the client's
+  /// process; an attempt that is never accepted leaves nothing behind.
+  std::shared_ptr<Ledger> of(const std::string& peer, const std::string& name,
+                             std::uint64_t client);
   /// Keeps the sums of a connection that has been accepted.
-  void keep(const std::string& name, std::uint64_t client, std::shared_ptr<Ledger> ledger);
+  void keep(const std::string& peer, const std::string& name, std::uint64_t client,
+            std::shared_ptr<Ledger> ledger);
 
  private:
   struct Account {
-    std::uint64_t client;  // the incarnation of its process
+    std::uint64_t client;    // the incarnation of its process
+    std::uint64_t accepted;  // which of all connections was the last one
     std::shared_ptr<Ledger> ledger;
   };
+  struct Peer {
+    std::map<std::string, Account> accounts;  // by connection
+    Ledger::History history = Ledger::History::Whole;
+  };
+  static bool dropOldest(Peer& peer);
 
-  std::map<std::string, Account> accounts_;  // by connection
-  std::map<std::pair<std::string, std::uint64_t>, std::weak_ptr<Ledger>> attempted_;
-  Ledger::History history_ = Ledger::History::Whole;
+  std::map<std::string, Peer> peers_;
+  std::map<std::tuple<std::string, std::string, std::uint64_t>, std::weak_ptr<Ledger>> attempted_;
+  std::uint64_t accepted_ = 0;
 };
 
 }  // namespace suture

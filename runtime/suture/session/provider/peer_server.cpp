@@ -236,8 +236,8 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
            .connection = {.provided = provided,
                           .contract = *match.contract,
                           .terms = {.name = name,
-                                    .ledger =
-                                        host_.ledgers_.of(admission_.proven(name), incarnation_)},
+                                    .ledger = host_.ledgers_.of(caller_->identity.text(), name,
+                                                                incarnation_)},
                           .events = fromWireNumbers(match.contract->wireEvents, in.getEvents()),
                           .provider = host_.serverOf_(provided),
                           .readOnly = admission_.mayOnlyRead(endpoint),
@@ -326,7 +326,7 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
     host_.latest_.end(asked.client);
   }
   const std::shared_ptr<Ledger>& ledger = accepted.channel->terms.ledger;
-  host_.ledgers_.keep(admission_.proven(asked.connection.terms.name), incarnation_, ledger);
+  host_.ledgers_.keep(caller_->identity.text(), asked.connection.terms.name, incarnation_, ledger);
   ledger->begin(accepted.channel, incarnation_);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   host_.memory_.keep(accepted.channel, asked.memory);
