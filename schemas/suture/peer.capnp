@@ -139,6 +139,8 @@ struct ConnectResults {
     declined @6 :Text;
     # Why this lane cannot be had for this connection: another one may.
   }
+  failed @7 :Bool;
+  # Declined because something went wrong that should not, as for want of a descriptor: both processes say so.
 }
 
 interface Notices {

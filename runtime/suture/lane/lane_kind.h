@@ -121,7 +121,8 @@ class LaneServer {
  public:
   virtual ~LaneServer() noexcept(false) = default;
   /// Makes the provider's end, and tells the client's what that needs. Throws SetupError, or
-  /// rejects, with the reason if the connection cannot use this lane.
+  /// rejects, with the reason if the connection cannot use this lane; as Type::OVERLOADED if it
+  /// could but for something that went wrong, which the operators of both processes are told.
   virtual kj::Promise<AcceptedEnd> accept(IncomingConnection connection,
                                           capnp::AnyPointer::Reader brings,
                                           capnp::AnyPointer::Builder answer) = 0;

@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/base/plain.h>
 #include <suture/lane/lanes.h>
 #include <suture/loop/deadline.h>
 #include <suture/names/describe.h>
@@ -121,6 +122,11 @@ class Network::Impl {
               [this](const std::string& channel, std::string why) {
                 std::lock_guard lock(mutex_);
                 whyNotBack_[channel] = std::move(why);
+              },
+          .failed =
+              [this](const std::string& channel, const std::string& lane, const std::string& why) {
+                printUnlessFull(directory_.process() + ": " + channel + " cannot travel by lane '" +
+                                lane + "': " + plain(why));
               }};
       auto begun = std::make_unique<RemoteConnection>(
           control_, *sessions_, lanes_, required, from, to, options, listener, delays, watch,

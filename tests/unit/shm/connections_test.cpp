@@ -1,7 +1,12 @@
 // These tests say what becomes of connections that might share memory.
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
+
 #include "reference/remote_arm.h"
+#include "support/contains.h"
+#include "support/no_more_descriptors.h"
 
 namespace suture {
 namespace {
@@ -38,6 +43,30 @@ TEST_F(SharedConnections, RefuseWhatIsOutOfRange) {
 TEST_F(SharedConnections, GiveEverythingBack) {
   begin(unixAddress());
   expectEverythingGivenBack(Lane::Shm);
+}
+
+// The process has one descriptor table for both ends, and the socket of frames stands already.
+TEST_F(SharedConnections, ThatHaveNoDescriptorAreToldAtBothEnds) {
+  others.push_back(std::make_unique<Teleop>());
+  begin(unixAddress());
+  console->connect("Other0/Slave", "robot:PSM/Arm", {.lane = Lane::Frame});
+  connect(Lane::Shm);
+  console->disconnect("Teleop/Slave");
+  ASSERT_TRUE(eventually([&] { return !teleop.reachable; }));
+  testing::internal::CaptureStderr();
+  {
+    const NoMoreDescriptors limit;
+    connect(Lane::Shm);
+  }
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(contains(told, "robot: refused user ")) << told;
+  EXPECT_TRUE(contains(told, ": use 'robot:PSM/Arm' by lane 'shm': ")) << told;
+  EXPECT_TRUE(contains(told,
+                       "console: console:Teleop/Slave -> robot:PSM/Arm cannot travel by lane "
+                       "'shm': "))
+      << told;
+  EXPECT_EQ(robot->refusals().count, 1u);
+  for (const auto& one : console->channels()) EXPECT_EQ(one->lane, "frame") << told;
 }
 
 }  // namespace

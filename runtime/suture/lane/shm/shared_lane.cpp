@@ -12,6 +12,8 @@
 namespace suture::shm {
 namespace {
 
+using Type = kj::Exception::Type;
+
 std::string whyNeverShared(const InterfaceInfo& contract, bool byUnixSocket) {
   if (std::string why = whyUnbounded(contract); !why.empty()) return why;
   return byUnixSocket ? "" : "the two processes are not reached by a Unix socket";
@@ -69,7 +71,7 @@ class SharedServer final : public LaneServer {
                                   capnp::AnyPointer::Builder answer) override {
     const auto request = brings.getAs<wire::SharedRequest>();
     const std::string why = whyNot(connection, stringOf(request.getLayout()));
-    if (!why.empty()) return rpc::failure(kj::Exception::Type::FAILED, why);
+    if (!why.empty()) return rpc::failure(Type::FAILED, why);
     return receive(request.getBell(), sizeof(std::uint64_t), MemoryBlock::Others::Write)
         .then([this, connection, answer](std::shared_ptr<MemoryBlock> bell) mutable {
           SharedOffer offer =
@@ -77,6 +79,10 @@ class SharedServer final : public LaneServer {
           toWire(offer.parts, answer.initAs<wire::SharedChannel>());
           return AcceptedEnd{kj::refcounted<StatusPort>(session_.control(), offer.channel),
                              offer.channel};
+        })
+        .catch_([](kj::Exception&& e) -> kj::Promise<AcceptedEnd> {
+          if (e.getType() != Type::FAILED) return kj::mv(e);
+          return rpc::failure(Type::OVERLOADED, rpc::describe(e));
         });
   }
 

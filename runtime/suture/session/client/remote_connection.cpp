@@ -184,9 +184,9 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::attempt(LaneClient& lane, 
             LaneAttempt& made = *attempt;
             return request(made, name).attach(kj::mv(attempt));
           },
-          [this](kj::Exception&& failure) -> kj::Promise<Reason> {
+          [this, name](kj::Exception&& failure) -> kj::Promise<Reason> {
             if (comesBack() && mayPass(failure)) return kj::mv(failure);
-            return Reason(rpc::describe(failure));
+            return Reason(failed(name, rpc::describe(failure)));
           });
 }
 
@@ -195,8 +195,8 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::request(LaneAttempt& attem
   auto request = session_->peer().connectRequest();
   fillIn(request, name);
   attempt.request(request.initBrings());
-  return inTime<Results>(limit_, request.send()).then([this, &attempt](Results&& results) {
-    return begin(attempt, kj::mv(results));
+  return inTime<Results>(limit_, request.send()).then([this, &attempt, name](Results&& results) {
+    return begin(attempt, name, kj::mv(results));
   });
 }
 
@@ -221,11 +221,21 @@ void RemoteConnection::fillIn(wire::ConnectRequest::Builder request, const char*
   news_ = kj::mv(news);
 }
 
-kj::Promise<kj::Maybe<std::string>> RemoteConnection::begin(LaneAttempt& attempt,
+// The next lane is asked for, so only this tells what is wrong.
+std::string RemoteConnection::failed(const char* lane, std::string why) {
+  if (withoutNumbers(why) != withoutNumbers(whyFailed_)) listener_.failed(name(), lane, why);
+  whyFailed_ = why;
+  return why;
+}
+
+kj::Promise<kj::Maybe<std::string>> RemoteConnection::begin(LaneAttempt& attempt, const char* lane,
                                                             Results&& results) {
   using Reason = kj::Maybe<std::string>;
   if (results.isRefused()) return refused(results.getRefused());
-  if (results.isDeclined()) return Reason(stringOf(results.getDeclined()));
+  if (results.isDeclined()) {
+    std::string why = stringOf(results.getDeclined());
+    return Reason(results.getFailed() ? failed(lane, std::move(why)) : why);
+  }
   const auto accepted = results.getAccepted();
   connection_ = accepted.getConnection();
   OutgoingConnection connection = outgoing();
@@ -239,9 +249,9 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::begin(LaneAttempt& attempt
             use(kj::mv(opened), results.getAccepted());
             return nullptr;
           },
-          [this](kj::Exception&& failure) -> Reason {
+          [this, lane](kj::Exception&& failure) -> Reason {
             connection_ = nullptr;
-            return rpc::describe(failure);
+            return failed(lane, rpc::describe(failure));
           });
 }
 

@@ -31,6 +31,10 @@ class RemoteConnection {
     /// Gets the reason in words why a lost one cannot be made anew yet, if somebody has to know it,
     /// and another one when that changes.
     std::function<void(const std::string& channel, std::string why)> notBack;
+    /// Gets the reason in words why a lane that should carry it does not, when that changes. It
+    /// travels by a slower one, or is refused.
+    std::function<void(const std::string& channel, const std::string& lane, std::string why)>
+        failed;
   };
 
   /// `from` and `to` include their processes. `ledger` has the sums of the connection's name.
@@ -67,7 +71,10 @@ class RemoteConnection {
   kj::Promise<kj::Maybe<std::string>> attempt(LaneClient& lane, const char* name);
   kj::Promise<kj::Maybe<std::string>> request(LaneAttempt& attempt, const char* name);
   void fillIn(wire::ConnectRequest::Builder request, const char* lane);
-  kj::Promise<kj::Maybe<std::string>> begin(LaneAttempt& attempt, Results&& results);
+  kj::Promise<kj::Maybe<std::string>> begin(LaneAttempt& attempt, const char* lane,
+                                            Results&& results);
+  /// Tells why that lane does not carry it although it should, and returns the reason.
+  std::string failed(const char* lane, std::string why);
   void use(OpenedEnd opened, wire::ConnectResults::Accepted::Reader accepted);
   OutgoingConnection outgoing() const;
   std::string name() const { return from_.toString() + " -> " + to_.toString(); }
@@ -95,6 +102,7 @@ class RemoteConnection {
   Duration limit_{0};       // for each answer, in this attempt
   std::string laneReason_;  // why it is not a faster lane
   std::string whyNotBack_;  // as it was told since the last loss
+  std::string whyFailed_;   // what failed() has told last
   EventSet asked_ = 0;      // the events that were subscribed to when it was asked
   std::shared_ptr<PeerSession> session_;
   kj::Maybe<wire::Connection::Client> connection_;

@@ -280,9 +280,18 @@ kj::Promise<void> PeerServer::accept(const Asked& asked) {
           [this, asked](kj::Maybe<AcceptedEnd>&& made) {
             KJ_IF_MAYBE (end, made) accepted(asked, kj::mv(*end));
           },
-          [context](kj::Exception&& why) mutable {
-            context.getResults().setDeclined(textOf(rpc::describe(why)));
-          });
+          [this, context](kj::Exception&& why) { decline(context, why); });
+}
+
+void PeerServer::decline(ConnectContext context, const kj::Exception& why) {
+  const auto in = context.getParams();
+  const std::string text = rpc::describe(why);
+  context.getResults().setDeclined(textOf(text));
+  if (why.getType() != Type::OVERLOADED) return;
+  context.getResults().setFailed(true);
+  host_.refusals_.add(caller_->identity.text(),
+                      "use '" + endpointOf(in.getToComponent(), in.getProvided()).toString() +
+                          "' by lane '" + stringOf(in.getLane()) + "': " + text);
 }
 
 kj::Promise<kj::Maybe<AcceptedEnd>> PeerServer::make(LaneServer& lane, const Asked& asked) {

@@ -60,6 +60,8 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   /// Resolves to the end that the lane makes; nothing: the request has been refused.
   kj::Promise<kj::Maybe<AcceptedEnd>> make(LaneServer& lane, const Asked& asked);
   void accepted(const Asked& asked, AcceptedEnd accepted);
+  /// Tells the caller why it cannot have that lane, and the operator if something went wrong.
+  void decline(ConnectContext context, const kj::Exception& why);
   /// Returns the lane of that name in this session; nullptr: this process has no such lane.
   LaneServer* laneNamed(const std::string& name);
   kj::Promise<LaneServer*> whenLane(const std::string& name);
