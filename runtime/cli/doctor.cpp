@@ -50,7 +50,7 @@ Checklist examine(rpc::EventPort& loop, const Options& options, Names& names,
   Checklist all(target.toString());
   std::optional<Peer> peer;
   all.step("resolve", "Start the process, with this manager's address", [&] {
-    peer.emplace(loop, names.process(target.process), options);
+    peer.emplace(loop, names.process(target.process), names.address(), options);
     return whereabouts(peer->process());
   });
   const bool secure = names.leadsToTls();

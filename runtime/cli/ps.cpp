@@ -17,10 +17,11 @@ struct Asked {
   std::string whyNot;  ///< why that is not known; "" if it is
 };
 
-Asked ask(rpc::EventPort& loop, const Options& options, const ProcessRecord& process) {
+Asked ask(rpc::EventPort& loop, const Options& options, const rpc::Address& manager,
+          const ProcessRecord& process) {
   if (process.silent) return {std::nullopt, "it is silent"};
   try {
-    Peer peer(loop, process, options);
+    Peer peer(loop, process, manager, options);
     peer.dial();
     peer.greet();
     Connections told = peer.describe().connections;
@@ -50,10 +51,11 @@ Json json(const ProcessRecord& process, const Asked& asked) {
 }  // namespace
 
 int ps(rpc::EventPort& loop, const Options& options) {
-  const auto processes = Names(loop, options).processes();
+  Names names(loop, options);
+  const auto processes = names.processes();
   Json all = Json::array();
   for (const ProcessRecord& process : processes) {
-    const Asked asked = ask(loop, options, process);
+    const Asked asked = ask(loop, options, names.address(), process);
     if (options.json) {
       all.push_back(json(process, asked));
     } else {

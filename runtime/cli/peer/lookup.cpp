@@ -24,7 +24,8 @@ const Record* findIn(const std::vector<Record>& records, const std::string& name
 }  // namespace
 
 Peer meet(rpc::EventPort& loop, const Options& options, const std::string& process) {
-  Peer peer(loop, Names(loop, options).process(process), options);
+  Names names(loop, options);
+  Peer peer(loop, names.process(process), names.address(), options);
   peer.dial();
   peer.greet();
   return peer;

@@ -1,18 +1,12 @@
 #include "cli/peer/peer.h"
-#include <suture/base/errors.h>
+#include <suture/names/peer_address.h>
 #include <suture/session/boot_id.h>
+#include <suture/session/client/sessions.h>
 #include <suture/wire/stamps.h>
 #include "cli/peer/wait.h"
 
 namespace suture::cli {
 namespace {
-
-rpc::Address addressOf(const ProcessRecord& process) {
-  if (process.addresses.empty()) {
-    throw SetupError("reach process '" + process.name + "'", "it has no address", "Restart it");
-  }
-  return rpc::Address::parse(process.addresses.front());
-}
 
 /// Returns a better failure if the peer is older than a question and so does not know it.
 kj::Exception orTooOld(kj::Exception&& failure, const std::string& process) {
@@ -24,12 +18,13 @@ kj::Exception orTooOld(kj::Exception&& failure, const std::string& process) {
 
 }  // namespace
 
-Peer::Peer(rpc::EventPort& loop, ProcessRecord process, const Options& options)
+Peer::Peer(rpc::EventPort& loop, ProcessRecord process, const rpc::Address& manager,
+           const Options& options)
     : loop_(loop),
       process_(std::move(process)),
       patience_(options.patience),
       trust_(options.trust),
-      address_(addressOf(process_)) {}
+      address_(addressOf(process_, manager)) {}
 
 void Peer::knock() { cli::knock(loop_, address_, patience_); }
 
@@ -52,7 +47,7 @@ void Peer::greet() {
     if (!oneClock) clock_.add(asked, results.getReceived(), results.getSent(), now());
     return kj::READY_NOW;
   });
-  wait(loop_, patience_, kj::mv(answer), noAnswer());
+  wait(loop_, patience_, kj::mv(answer), noAnswerOf(process_.name));
 }
 
 Description Peer::describe() {
@@ -71,7 +66,7 @@ Description Peer::describe() {
     }
     return found;
   });
-  return wait(loop_, patience_, kj::mv(answer), noAnswer());
+  return wait(loop_, patience_, kj::mv(answer), noAnswerOf(process_.name));
 }
 
 Cycle Peer::cycleOf(const std::string& component) {
@@ -83,16 +78,15 @@ Cycle Peer::cycleOf(const std::string& component) {
     return Cycle{tasks[0].getActivity() == wire::TaskActivity::Activity::RUNNING,
                  tasks[0].getCycles()};
   });
-  return wait(loop_, patience_, kj::mv(answer), noAnswer());
+  return wait(loop_, patience_, kj::mv(answer), noAnswerOf(process_.name));
 }
 
 // A refusal is an answer too, and onDisconnect() tells that the link has ended.
 kj::Promise<void> Peer::whenSilent() {
   return loop_.getTimer().afterDelay(rpc::toKj(patience_)).then([this] {
     auto answer = peer_.pingRequest().send().ignoreResult().catch_([](kj::Exception&&) {});
-    return rpc::within(loop_.getTimer(), patience_, kj::mv(answer), noAnswer()).then([this] {
-      return whenSilent();
-    });
+    return rpc::within(loop_.getTimer(), patience_, kj::mv(answer), noAnswerOf(process_.name))
+        .then([this] { return whenSilent(); });
   });
 }
 
@@ -109,7 +103,7 @@ std::shared_ptr<const Contract> Peer::explain(const Target& target, wire::Peer::
       [this](kj::Exception&& failure) -> kj::Promise<std::shared_ptr<const Contract>> {
         return orTooOld(kj::mv(failure), process_.name);
       });
-  return wait(loop_, patience_, kj::mv(answer), noAnswer());
+  return wait(loop_, patience_, kj::mv(answer), noAnswerOf(process_.name));
 }
 
 capnp::DynamicCapability::Client Peer::open(const Target& target, const Contract& contract) {
@@ -121,17 +115,11 @@ capnp::DynamicCapability::Client Peer::open(const Target& target, const Contract
     if (results.isRefused()) return refused(results.getRefused());
     return results.getContract().template castAs<capnp::DynamicCapability>(contract.interface());
   });
-  return wait(loop_, patience_, kj::mv(answer), noAnswer());
+  return wait(loop_, patience_, kj::mv(answer), noAnswerOf(process_.name));
 }
 
 Time Peer::here(std::int64_t stamp) const {
   return Time(Duration(rpc::shifted(stamp, -clock_.offset())));
-}
-
-std::string Peer::noAnswer() const {
-  return "talk to process '" + process_.name +
-         "': it is there, but does not answer. It hangs, has no file descriptor left for another "
-         "link, or has not yet made its components known: see what it says and does.";
 }
 
 }  // namespace suture::cli

@@ -45,7 +45,9 @@ struct Cycle {
 /// do.
 class Peer {
  public:
-  Peer(rpc::EventPort& loop, ProcessRecord process, const Options& options);
+  /// `manager` is the address of the one that knows the process.
+  Peer(rpc::EventPort& loop, ProcessRecord process, const rpc::Address& manager,
+       const Options& options);
 
   const ProcessRecord& process() const { return process_; }
   /// Returns the address at which it is dialled.
@@ -78,8 +80,6 @@ class Peer {
   kj::Promise<void> onDisconnect() { return link_->onDisconnect(); }
 
  private:
-  std::string noAnswer() const;
-
   rpc::EventPort& loop_;
   const ProcessRecord process_;
   const Duration patience_;

@@ -1,5 +1,6 @@
 #include <suture/loop/deadline.h>
 #include <suture/names/manager_link.h>
+#include <suture/names/peer_address.h>
 #include <suture/names/start_hint.h>
 
 #include <algorithm>
@@ -138,19 +139,12 @@ kj::Promise<ProcessRecord> ManagerLink::askAll(const std::string& process, Durat
 }
 
 kj::Promise<rpc::ByteStream> ManagerLink::reach(const ProcessRecord& process, Duration limit) {
-  if (process.addresses.empty()) {
-    return rpc::failure(Type::FAILED, "process '" + process.name + "' has no address. Restart it.");
+  try {
+    const rpc::Address address = addressOf(process, nearest().address());  // all are of one kind
+    return rpc::reach(control_.port(), address, trust_, process.name, limit);
+  } catch (const SetupError& error) {
+    return rpc::failure(Type::FAILED, error.what());
   }
-  const rpc::Address& manager = nearest().address();  // all are of one kind
-  const auto address = rpc::Address::parse(process.addresses.front());
-  const bool leavesTls = manager.kind == rpc::Address::Kind::Tls && address.kind != manager.kind;
-  if (leavesTls || (address.insecure && !manager.insecure)) {
-    return rpc::failure(
-        Type::FAILED, "connect to process '" + process.name + "': it listens at " + address.text() +
-                          ", and the global manager is reached at " + manager.text() +
-                          ". Start that process with the same address.");
-  }
-  return rpc::reach(control_.port(), address, trust_, process.name, limit);
 }
 
 kj::Promise<std::vector<ProcessRecord>> ManagerLink::list() {

@@ -37,9 +37,8 @@ class ManagerLink {
   const rpc::Address& address() const { return nearest().address(); }
   /// Once open: returns where peers of the network of that manager reach this machine, with port 0.
   const rpc::Address& here() const { return nearest().here(); }
-  /// Resolves to a stream to a process that the managers know. It is no less safe than the links to
-  /// them: an address that they got from others does not lead out of TLS. rpc::reach() says what
-  /// `limit` holds for.
+  /// Resolves to a stream to a process that the managers know, at its addressOf(). rpc::reach()
+  /// says what `limit` holds for.
   kj::Promise<rpc::ByteStream> reach(const ProcessRecord& process, Duration limit);
   /// Any thread. Returns the addresses of the managers that do not answer or do not know this
   /// process.

@@ -1,3 +1,4 @@
+#include <suture/base/errors.h>
 #include <suture/names/peer_address.h>
 #include <suture/net/listener.h>
 #include <unistd.h>
@@ -73,6 +74,19 @@ rpc::Address peerAddress(const ManagerLink& link, const std::string& process) {
   const fs::path directory = directoryOf(manager);
   removeLeftovers(directory, process);
   return socketOf(directory, process, getpid());
+}
+
+rpc::Address addressOf(const ProcessRecord& process, const rpc::Address& manager) {
+  if (process.addresses.empty()) {
+    throw SetupError("reach process '" + process.name + "'", "it has no address", "Restart it.");
+  }
+  const auto address = rpc::Address::parse(process.addresses.front());
+  const bool leavesTls = manager.kind == rpc::Address::Kind::Tls && address.kind != manager.kind;
+  if (!leavesTls && (manager.insecure || !address.insecure)) return address;
+  throw SetupError("connect to process '" + process.name + "'",
+                   "it listens at " + address.text() + ", and the global manager is reached at " +
+                       manager.text(),
+                   "Start that process with the same address.");
 }
 
 }  // namespace suture

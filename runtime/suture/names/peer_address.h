@@ -1,5 +1,5 @@
 #pragma once
-// This decides where a process listens for its peers.
+// This decides where a process listens for its peers, and where it reaches them.
 
 #include <suture/names/manager_link.h>
 #include <suture/net/address.h>
@@ -17,5 +17,10 @@ rpc::Address longestPeerAddress(const rpc::Address& manager, const std::string& 
 /// that directory, since a process that was killed cannot. It does not check how long the path is:
 /// the listener refuses one that is too long.
 rpc::Address peerAddress(const ManagerLink& link, const std::string& process);
+
+/// Returns where a process is reached that the manager at that address knows. It is no less safe
+/// than the link to the manager: what that has got from others does not lead out of TLS. Throws
+/// SetupError.
+rpc::Address addressOf(const ProcessRecord& process, const rpc::Address& manager);
 
 }  // namespace suture

@@ -212,7 +212,7 @@ class Fail(System):
     def test_a_process_without_an_address(self):
         self.start_manager()
         self.start_stranger("homeless")
-        self.assertEqual(self.refused("describe", "homeless"), "reach process 'homeless': it has no address. Restart it")
+        self.assertEqual(self.refused("describe", "homeless"), "reach process 'homeless': it has no address. Restart it.")
 
     def test_a_process_that_is_older_than_its_explanations(self):
         self.start_manager()

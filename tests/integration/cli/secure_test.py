@@ -1,11 +1,13 @@
 """These tests run `suture` beside a system whose processes prove who they are."""
 
+import json
 import pathlib
+import re
 import stat
 import subprocess
 import unittest
 
-from system import MANAGER, ROBOT, System
+from system import MANAGER, ROBOT, STRANGER, System
 
 
 class SecureSystem(System):
@@ -61,6 +63,20 @@ class SecureSystem(System):
         self.assertEqual(steps["tls"]["state"], "ok")
         self.assertRegex(steps["tls"]["found"], r"^it has the certificate of 'robot', which ends at 20\d\d-\d\d-\d\d \d\d:\d\d UTC$")
         self.assertEqual(self.complaints.read_text(), "")
+
+    def test_a_registered_address_does_not_lead_out_of_tls(self):
+        self.start_system()
+        self.make_keys("outside")
+        self.start(STRANGER, self.address, "outside", "outside", self.keys)
+        why = (r"^connect to process 'outside': it listens at tcp://127\.0\.0\.1:\d+, and the global manager is reached at "
+               + re.escape(self.address))
+        self.assertRegex(self.refused("read", "outside:Odd/Arm", "mode", "--keys", self.keys), why)
+        done = self.run_suture("doctor", "outside", "--keys", self.keys, "--json")
+        self.assertEqual(done.returncode, 1, done)
+        steps = {step["step"]: step for step in json.loads(done.stdout)["examinations"][1]["steps"]}
+        self.assertEqual(steps["resolve"]["state"], "failed")
+        self.assertRegex(steps["resolve"]["found"], why)
+        self.assertNotEqual(steps["tls"]["state"], "ok")
 
     def test_without_keys_it_says_what_to_do(self):
         self.start_system()

@@ -1,8 +1,9 @@
-// A process that is not what others expect: cli_stranger <manager address> <process name> <how>.
-// Says "ready" when it is known; ends on SIGTERM. `how`:
+// A process that is not what others expect: cli_stranger <manager address> <process name> <how>
+// [<folder of keys>]. Says "ready" when it is known; ends on SIGTERM. `how`:
 //   version      speaks another version of the protocol
 //   silent       does not answer a greeting
 //   homeless     is known, and says not where it is
+//   outside      listens without TLS, whatever its manager's network
 //   deaf         says "asked" when it hears a read or a subscription, and never answers
 //   older        cannot explain itself yet
 //   escapes      has names that steer a terminal
@@ -20,6 +21,8 @@
 #include <suture/loop/control_thread.h>
 #include <suture/names/manager_link.h>
 #include <suture/names/records.h>
+#include <suture/names/security.h>
+#include <suture/net/tls/keys.h>
 #include <suture/peer.capnp.h>
 #include <suture/session/provider/explain.h>
 #include <suture/standard/lifecycle.suture.h>
@@ -188,7 +191,12 @@ struct Presence {
 
 kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence, char** argv) {
   const std::string manager = argv[1], name = argv[2], how = argv[3];
-  const auto address = suture::rpc::Address::parse(manager + "." + name);
+  const auto address =
+      suture::rpc::Address::parse(how == "outside" ? "tcp://127.0.0.1:0" : manager + "." + name);
+  suture::Security security;
+  if (argv[4] != nullptr) {
+    security.keys = std::make_shared<const suture::tls::Keys>(argv[4], name);
+  }
   presence.server = std::make_unique<suture::rpc::LinkServer>(
       control.port(), address,
       [how](const auto& caller) -> capnp::Capability::Client {
@@ -196,8 +204,8 @@ kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence
         return suture::wire::Peer::Client(kj::heap<Stranger>(how));
       },
       presence.refusals);
-  presence.link =
-      std::make_unique<suture::ManagerLink>(control, suture::rpc::parseAddresses(manager), name);
+  presence.link = std::make_unique<suture::ManagerLink>(
+      control, suture::rpc::parseAddresses(manager), name, security.trust());
   return presence.link->open(std::chrono::seconds(5)).then([&presence, name, how] {
     std::vector<std::string> addresses;
     if (how != "homeless") addresses.push_back(presence.server->address().text());

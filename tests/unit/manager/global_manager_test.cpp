@@ -320,7 +320,7 @@ TEST(ManagerLink, AProcessWithoutAddressIsUnreachable) {
       return opened.attach(kj::mv(link));
     });
   });
-  EXPECT_TRUE(contains(error, "process 'robot' has no address. Restart it.")) << error;
+  EXPECT_TRUE(contains(error, "reach process 'robot': it has no address. Restart it.")) << error;
 }
 
 TEST(ManagerLink, WaitsForAManagerToStart) {

@@ -46,9 +46,9 @@ kj::Promise<std::shared_ptr<PeerSession>> Sessions::dial(const std::string& proc
 }
 
 std::string noAnswerOf(const std::string& process) {
-  return "process '" + process +
-         "' is there, but does not answer. It hangs, has no file descriptor left for another link, "
-         "or has not yet made its components known: see what it says and does.";
+  return "talk to process '" + process +
+         "': it is there, but does not answer. It hangs, has no file descriptor left for another "
+         "link, or has not yet made its components known: see what it says and does.";
 }
 
 }  // namespace suture
