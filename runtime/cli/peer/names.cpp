@@ -40,26 +40,6 @@ kj::Own<rpc::Link> reachManager(rpc::EventPort& loop, const rpc::Address& addres
   }
 }
 
-kj::Promise<wire::Session::Client> greet(wire::GlobalManager::Client manager,
-                                         const rpc::Address& address) {
-  auto request = manager.helloRequest();
-  request.setVersion(wire::PROTOCOL_VERSION);
-  request.setProgram(kOwnName);
-  using Greeted = kj::Promise<wire::Session::Client>;
-  return request.send().then(
-      [](auto&& results) -> Greeted {
-        if (results.isRefused()) return refused(results.getRefused());
-        return results.getSession();
-      },
-      [address](kj::Exception&& failure) -> Greeted { return notGreeted(address, failure); });
-}
-
-std::string noManagerAnswers(const rpc::Address& address) {
-  return "talk to " + address.text() +
-         ": what listens there does not answer as a global manager. Check the address; if it is "
-         "right, restart the manager.";
-}
-
 }  // namespace
 
 Names::Names(rpc::EventPort& loop, const Options& options)
@@ -81,7 +61,7 @@ Names::Manager Names::openFirst(rpc::EventPort& loop, const Options& options) {
 Names::Manager Names::open(rpc::EventPort& loop, const rpc::Address& address,
                            const Options& options) {
   auto link = reachManager(loop, address, options);
-  auto greeted = greet(link->bootstrap<wire::GlobalManager>(), address);
+  auto greeted = greet(link->bootstrap<wire::GlobalManager>(), kOwnName, address);
   auto session = wait(loop, options.patience, kj::mv(greeted), noManagerAnswers(address));
   return {address, kj::mv(link), kj::mv(session)};
 }

@@ -40,23 +40,10 @@ kj::Promise<void> ManagerLease::open() {
     here_ = rpc::localAddress(manager_, bytes.socket());
     auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
     auto link = kj::heap<Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
-    auto request = link->bootstrap<wire::GlobalManager>().helloRequest();
-    request.setVersion(wire::PROTOCOL_VERSION);
-    request.setProgram(textOf(program_));
-    auto hello = request.send().then(
-        [this](auto&& results) -> kj::Promise<void> {
-          if (results.isRefused()) return refused(results.getRefused());
-          session_ = results.getSession();
-          return kj::READY_NOW;
-        },
-        [this](kj::Exception&& failure) -> kj::Promise<void> {
-          return notGreeted(manager_, failure);
-        });
+    auto greeted = greet(link->bootstrap<wire::GlobalManager>(), program_, manager_)
+                       .then([this](wire::Session::Client session) { session_ = kj::mv(session); });
     link_ = kj::mv(link);
-    return rpc::within(control_.timer(), kAnswerLimit, kj::mv(hello),
-                       "talk to " + manager_.text() +
-                           ": what listens there does not answer as a global "
-                           "manager. Check the address; if it is right, restart the manager.");
+    return rpc::within(control_.timer(), kAnswerLimit, kj::mv(greeted), noManagerAnswers(manager_));
   });
 }
 

@@ -1,14 +1,11 @@
 #include <suture/loop/failure.h>
+#include <suture/names/records.h>
 #include <suture/names/start_hint.h>
 
 namespace suture {
+namespace {
 
-std::string howToStartManager(const rpc::Address& address) {
-  const bool needsKeys = address.kind == rpc::Address::Kind::Tls;
-  return "If it does not run, start it with: suture-manager --listen " + address.text() +
-         (needsKeys ? " --keys FOLDER" : "");
-}
-
+/// Returns what `failure` means, which came instead of an answer: something else may listen there.
 kj::Exception notGreeted(const rpc::Address& address, const kj::Exception& failure) {
   const std::string asked = "talk to " + address.text() + ": ";
   if (failure.getType() != kj::Exception::Type::UNIMPLEMENTED) {
@@ -16,6 +13,34 @@ kj::Exception notGreeted(const rpc::Address& address, const kj::Exception& failu
   }
   return rpc::failure(kj::Exception::Type::FAILED,
                       asked + "what listens there is no global manager. Correct the address.");
+}
+
+}  // namespace
+
+std::string howToStartManager(const rpc::Address& address) {
+  const bool needsKeys = address.kind == rpc::Address::Kind::Tls;
+  return "If it does not run, start it with: suture-manager --listen " + address.text() +
+         (needsKeys ? " --keys FOLDER" : "");
+}
+
+kj::Promise<wire::Session::Client> greet(wire::GlobalManager::Client manager,
+                                         const std::string& program, const rpc::Address& address) {
+  auto request = manager.helloRequest();
+  request.setVersion(wire::PROTOCOL_VERSION);
+  request.setProgram(textOf(program));
+  using Greeted = kj::Promise<wire::Session::Client>;
+  return request.send().then(
+      [](auto&& results) -> Greeted {
+        if (results.isRefused()) return refused(results.getRefused());
+        return results.getSession();
+      },
+      [address](kj::Exception&& failure) -> Greeted { return notGreeted(address, failure); });
+}
+
+std::string noManagerAnswers(const rpc::Address& address) {
+  return "talk to " + address.text() +
+         ": what listens there does not answer as a global manager. Check the address; if it is "
+         "right, restart the manager.";
 }
 
 }  // namespace suture

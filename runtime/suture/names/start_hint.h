@@ -1,7 +1,8 @@
 #pragma once
-// This says what to do where no global manager answers.
+// This greets a global manager, and says what to do where none answers.
 
-#include <kj/exception.h>
+#include <kj/async.h>
+#include <suture/manager.capnp.h>
 #include <suture/net/address.h>
 
 #include <string>
@@ -12,8 +13,12 @@ namespace suture {
 /// FOLDER".
 std::string howToStartManager(const rpc::Address& address);
 
-/// Returns what `failure` means, which came instead of an answer when the manager at `address` was
-/// greeted: something else may listen there.
-kj::Exception notGreeted(const rpc::Address& address, const kj::Exception& failure);
+/// Greets what listens at `address` as the program of that name. Rejects with what to do if it
+/// refuses, or is no global manager.
+kj::Promise<wire::Session::Client> greet(wire::GlobalManager::Client manager,
+                                         const std::string& program, const rpc::Address& address);
+
+/// Says what to do where the manager at `address` has not answered in time.
+std::string noManagerAnswers(const rpc::Address& address);
 
 }  // namespace suture
