@@ -3,11 +3,15 @@
 #include <suture/net/host_lookup.h>
 #include <suture/net/listener.h>
 #include <suture/net/socket.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <fcntl.h>
+
 #include <cerrno>
 #include <cstring>
+#include <string>
 
 namespace suture::rpc {
 namespace {
@@ -42,7 +46,41 @@ bool isOtherThanASocket(const Address& address) {
                        : "Choose another address or port.");
 }
 
+/// Is held from before a Unix socket is bound until it listens, because in between it looks like
+/// one that a dead process left behind. The kernel takes it from a process that dies; the file that
+/// stays then is in nobody's way.
+class BindLock {
+ public:
+  explicit BindLock(const Address& address) {
+    if (address.kind != Address::Kind::Unix) return;
+    path_ = address.path + ".lock";
+    do {
+      const int opened = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+      if (opened < 0) cannotListen(address, errno);
+      file_ = kj::AutoCloseFd(opened);
+      if (flock(file_, LOCK_EX | LOCK_NB) != 0) cannotListen(address, EADDRINUSE);
+    } while (!isThere());  // another has removed it after this opened it
+  }
+  ~BindLock() {
+    if (file_ != nullptr) unlink(path_.c_str());
+  }
+  BindLock(const BindLock&) = delete;
+  BindLock& operator=(const BindLock&) = delete;
+
+ private:
+  bool isThere() const {
+    struct stat ours {
+    }, there{};
+    return fstat(file_, &ours) == 0 && stat(path_.c_str(), &there) == 0 &&
+           ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
+  }
+
+  std::string path_;
+  kj::AutoCloseFd file_;
+};
+
 kj::AutoCloseFd bindTo(const Address& address, Listener::Opens opens) {
+  const BindLock lock(address);
   const Address place = lookUp(address).front();
   kj::AutoCloseFd listening = openSocket(place);
   const int on = 1;

@@ -14,8 +14,8 @@ namespace suture::rpc {
 /// Belongs to the control thread. A Listener is a listening socket.
 ///
 /// Unix: only the owner of the socket file can read and write it, unless it opens to others. A file
-/// that a dead process left behind is replaced; one at which somebody answers is an error. The file
-/// is removed at the end. TCP: port 0 picks a free port.
+/// that a dead process left behind is replaced; one at which somebody answers, or begins to listen,
+/// is an error. The file is removed at the end. TCP: port 0 picks a free port.
 class Listener {
  public:
   /// Says, for Unix sockets, the processes of which users can connect. A caller that opens to

@@ -2,10 +2,16 @@
 
 #include <gtest/gtest.h>
 #include <suture/net/listener.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 
+#include <fcntl.h>
+
+#include <atomic>
+#include <barrier>
 #include <fstream>
+#include <memory>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -149,16 +155,60 @@ TEST_P(UnixListenerTest, TheSocketFileIsPrivateAndRemoved) {
   EXPECT_NE(stat(path.c_str(), &status), 0);
 }
 
+/// Binds a socket, at which nobody listens yet.
+kj::AutoCloseFd boundAt(const Address& address) {
+  kj::AutoCloseFd bound(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const SocketAddress target(address);
+  EXPECT_EQ(bind(bound, target.get(), target.length), 0) << std::strerror(errno);
+  return bound;
+}
+
 TEST_P(UnixListenerTest, AStaleSocketFileIsReplaced) {
   const Address address = Address::parse(freshAddress());
-  {
-    const kj::AutoCloseFd dead(socket(AF_UNIX, SOCK_STREAM, 0));
-    const SocketAddress target(address);
-    ASSERT_EQ(bind(dead, target.get(), target.length), 0);
-  }
+  boundAt(address) = nullptr;
   serve();
   auto link = connect();
   EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(port_.scope()), 3u);
+}
+
+// A socket that is bound, and at which nobody listens yet, looks like one that was left behind.
+TEST_P(UnixListenerTest, ASocketOfAProcessThatIsAboutToListenIsLeftToIt) {
+  const Address address = Address::parse(freshAddress());
+  const std::string lock = address.path + ".lock";
+  kj::AutoCloseFd held(open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+  ASSERT_EQ(flock(held, LOCK_EX), 0);
+  const kj::AutoCloseFd beginning = boundAt(address);
+  EXPECT_TRUE(contains(refusal([&] { Listener(port_, address); }),
+                       "another process listens there. Stop it, or choose another"));
+  struct stat status {};
+  EXPECT_EQ(stat(address.path.c_str(), &status), 0) << "its socket was taken away";
+  held = nullptr;
+  const Listener listener(port_, address);  // it has died
+  EXPECT_NE(stat(lock.c_str(), &status), 0) << "the lock stays behind";
+}
+
+// Each of several may find that nobody answers, before the first of them listens.
+TEST_P(UnixListenerTest, OneOfSeveralReplacesAStaleSocketFile) {
+  constexpr int kRounds = 100, kThreads = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    const Address address = Address::parse(freshAddress());
+    boundAt(address) = nullptr;
+    std::barrier together(kThreads);
+    std::atomic<int> listening{0};
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < kThreads; ++i) {
+      threads.emplace_back([&] {
+        EventPort port;
+        std::unique_ptr<Listener> listener;
+        together.arrive_and_wait();
+        refusal([&] { listener = std::make_unique<Listener>(port, address); });
+        if (listener != nullptr) ++listening;
+        together.arrive_and_wait();  // else one could come after another has gone
+      });
+    }
+    threads.clear();
+    ASSERT_EQ(listening, 1) << "in round " << round;
+  }
 }
 
 TEST(Listening, WhereTheKernelRefusesIsAnError) {
