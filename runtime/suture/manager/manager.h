@@ -65,7 +65,8 @@ class Manager {
 
   /// Before start() and the first connection, in both processes: adds a lane
   /// (suture/lane/lane_kind.h), which carries the connections that ask for it by its name. Throws
-  /// SetupError without a global manager, or if that name exists.
+  /// SetupError without a global manager, or if that name exists, or a connection to another
+  /// process.
   void addLane(std::unique_ptr<LaneKind> lane);
   /// Returns the names of the lanes to another process, the fastest first and those that were added
   /// last; none without a global manager.

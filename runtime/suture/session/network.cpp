@@ -86,7 +86,15 @@ class Network::Impl {
       throw SetupError("adding lane '" + name + "'", "there is one of that name",
                        "Give it a name of its own");
     }
-    run(control_, kLocalWork, [this, &lane] { lanes_.push_back(std::move(lane)); });
+    const bool added = run(control_, kLocalWork, [this, &lane] {
+      const bool early = connections_.empty();
+      if (early) lanes_.push_back(std::move(lane));
+      return early;
+    });
+    if (added) return;
+    throw SetupError("adding lane '" + name + "'",
+                     "this process has connections, whose sessions do not know it",
+                     "Add it before the first connection");
   }
 
   std::vector<std::string> lanes() const { return laneNames(lanes_); }

@@ -45,7 +45,7 @@ class Network {
   void schedule(const rt::Scheduling& scheduling);
 
   /// Call it before publish() and the first connection. Throws SetupError if there is one of that
-  /// name.
+  /// name, or a connection.
   void addLane(std::unique_ptr<LaneKind> lane);
 
   std::vector<std::string> lanes() const;

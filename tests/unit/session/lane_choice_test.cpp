@@ -174,6 +174,20 @@ TEST_F(LaneChoice, AnAddedLaneMustBeAskedFor) {
   EXPECT_EQ(channel()->lane, "frame");
 }
 
+// A session has its lanes from when it begins, so a later connection could not find the new one.
+TEST_F(LaneChoice, NoLaneIsAddedWhileThereAreConnections) {
+  begin(kTcp);
+  connect(Lane::Frame);
+  const std::string refused = refusal([&] { console->addLane(std::make_unique<HopefulLane>()); });
+  EXPECT_EQ(refused,
+            "adding lane 'hope': this process has connections, whose sessions do not know it. Add "
+            "it before the first connection");
+  EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}), "it is already connected"));
+  console->disconnect("Teleop/Slave");
+  console->addLane(std::make_unique<HopefulLane>());
+  EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}), "has no lane 'hope'"));
+}
+
 // A client that asked for it would get another.
 TEST_F(LaneChoice, NoLaneIsCalledAuto) {
   begin(kTcp);
