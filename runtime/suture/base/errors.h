@@ -39,6 +39,16 @@ enum class Errc : std::uint8_t {
   NotPermitted,      ///< the provider's policy lets this process read but not command; not executed
 };
 
+/// Is the error of the largest number.
+inline constexpr Errc kLastErrc = Errc::NotPermitted;
+
+/// Any thread. Returns the error that another process tells by its number; 0 stands for none. A
+/// newer process may have errors that this build does not know: then the call may have run.
+constexpr Errc toldErrc(unsigned number) {
+  return number <= static_cast<unsigned>(kLastErrc) ? static_cast<Errc>(number)
+                                                    : Errc::OutcomeUnknown;
+}
+
 /// Any thread. Returns the error in words, for people, in static storage.
 const char* toString(Errc error);
 

@@ -10,6 +10,14 @@ namespace {
 
 constexpr std::string_view kPrefix = "suture error ";
 
+/// Returns the number of the error that a text tells; 0 if it tells none that is a number.
+unsigned numberIn(const std::string& text) {
+  unsigned number = 0;
+  if (!text.starts_with(kPrefix)) return number;
+  std::from_chars(text.data() + kPrefix.size(), text.data() + text.size(), number);
+  return number;
+}
+
 }  // namespace
 
 kj::Exception remoteError(Errc error, const FieldPath& invalid) {
@@ -22,20 +30,17 @@ kj::Exception remoteError(Errc error, const FieldPath& invalid) {
 Errc errcOf(const kj::Exception& exception) {
   if (exception.getType() == kj::Exception::Type::DISCONNECTED) return Errc::OutcomeUnknown;
   if (exception.getType() == kj::Exception::Type::UNIMPLEMENTED) return Errc::NotImplemented;
-  const std::string text = describe(exception);
-  unsigned number = 0;
-  if (text.starts_with(kPrefix)) {
-    std::from_chars(text.data() + kPrefix.size(), text.data() + text.size(), number);
-  }
-  const bool known = number >= static_cast<unsigned>(Errc::NotConnected) &&
-                     number <= static_cast<unsigned>(Errc::NotPermitted);
-  return known ? static_cast<Errc>(number) : Errc::Invalid;
+  const Errc told = toldErrc(numberIn(describe(exception)));
+  return told == Errc{} ? Errc::OutcomeUnknown : told;
 }
 
 std::string reasonOf(const kj::Exception& exception) {
   const Errc error = errcOf(exception);
-  if (error != Errc::Invalid) return toString(error);
   const std::string text = describe(exception);
+  const bool told = exception.getType() == kj::Exception::Type::FAILED;
+  const bool known = numberIn(text) == static_cast<unsigned>(error);
+  // The peer says more of what is invalid, and of an error that only it knows.
+  if (!told || (known && error != Errc::Invalid)) return toString(error);
   const std::size_t number = text.starts_with(kPrefix) ? text.find(": ") : std::string::npos;
   return number == std::string::npos ? text : text.substr(number + 2);
 }

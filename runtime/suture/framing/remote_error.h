@@ -13,8 +13,8 @@ namespace suture::rpc {
 /// which part of a value it is about, if that is known.
 kj::Exception remoteError(Errc error, const FieldPath& invalid = {});
 
-/// Returns how a remote call ended. A broken connection is OutcomeUnknown; anything else that did
-/// not come from remoteError() is Invalid.
+/// Returns how a remote call ended. What neither remoteError() nor this build knows, as a broken
+/// connection, is OutcomeUnknown: the call may have run.
 Errc errcOf(const kj::Exception& exception);
 
 /// Returns the same in words: the peer's own if it has said more than an Errc.

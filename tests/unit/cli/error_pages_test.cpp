@@ -6,7 +6,7 @@ namespace suture::cli {
 namespace {
 
 TEST(ErrorPages, EachTextLeadsToItsOwnPage) {
-  for (unsigned number = 1; number <= static_cast<unsigned>(Errc::NotPermitted); ++number) {
+  for (unsigned number = 1; number <= static_cast<unsigned>(kLastErrc); ++number) {
     const std::string text = toString(static_cast<Errc>(number));
     const std::string title = "# " + text + ": `Errc::";
     EXPECT_TRUE(explainError(text).starts_with(title)) << text;

@@ -10,7 +10,7 @@ namespace suture {
 namespace {
 
 TEST(Errors, HaveDifferentTexts) {
-  constexpr auto kLast = static_cast<int>(Errc::NotPermitted);
+  constexpr auto kLast = static_cast<int>(kLastErrc);
   std::set<std::string> texts;
   for (int code = 0; code <= kLast; ++code) texts.insert(toString(static_cast<Errc>(code)));
   EXPECT_EQ(texts.size(), std::size_t{kLast} + 1);

@@ -18,6 +18,7 @@
 #include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
+#include "unit/component/arm_client.h"
 
 namespace suture {
 namespace {
@@ -248,6 +249,21 @@ TEST_F(HostileProvider, AnswersWhatNoClientSees) {
   }));
   teleop.stop();
   EXPECT_EQ(client->lastInvalid.read().text(), "distance");
+}
+
+// A newer provider may have errors that this build does not know: the command may have run then.
+TEST_F(HostileProvider, AnswersWithAnErrorOfItsOwn) {
+  ArmClient asking;
+  asking.arm.attach(client);
+  auto call = asking.arm.distance.start({});
+  ASSERT_FALSE(call.poll());
+  rt::Mailbox& commands = offer.channel->commands;
+  commands.fixCut();
+  const rt::CommandRecord* const record = commands.next();
+  ASSERT_NE(record, nullptr);
+  offer.channel->provider.replyError(record->call, static_cast<Errc>(77));
+  ASSERT_TRUE(call.poll());
+  EXPECT_EQ(call.poll()->error(), Errc::OutcomeUnknown);
 }
 
 class HostileClient : public SharedConnection, public testing::Test {};

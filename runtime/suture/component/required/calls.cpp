@@ -80,7 +80,7 @@ void Calls::collect(ReplyRecord& reply, std::size_t size) {
   if (call.number != reply.call) return;
   call.done = true;
   if (!std::exchange(call.fresh, true)) ++fresh_;
-  call.error = reply.error;
+  call.error = toldErrc(static_cast<std::uint8_t>(reply.error));  // any process may have written it
   call.stamp = reply.stamp;
   const CommandInfo& command = attachment_.info().commands[call.command];
   copyUsed(call.result.data(), reply.result(), std::min(size, call.result.size()),
