@@ -402,10 +402,7 @@ std::string Manager::placeOf(const Component& component, const std::string& inte
 
 std::shared_ptr<Channel> Manager::connectionOf(const std::string& required) const {
   if (const auto found = local_.find(required); found != local_.end()) return found->second;
-  if (network_ == nullptr) return nullptr;
-  const auto remote = network_->connected();
-  const auto found = remote.find(required);
-  return found == remote.end() ? nullptr : found->second;
+  return network_ == nullptr ? nullptr : network_->connected(required);
 }
 
 std::string Manager::missingGlobalManager() const {

@@ -174,6 +174,12 @@ class Network::Impl {
     return connected_;
   }
 
+  std::shared_ptr<Channel> connected(const std::string& required) const {
+    std::lock_guard lock(mutex_);
+    const auto found = connected_.find(required);
+    return found == connected_.end() ? nullptr : found->second;
+  }
+
   std::map<std::string, std::string> whyLost() const {
     std::lock_guard lock(mutex_);
     return whyLost_;
@@ -306,6 +312,10 @@ std::string Network::missingManager() const { return impl_->missingManager(); }
 
 std::map<std::string, std::shared_ptr<Channel>> Network::connected() const {
   return impl_->connected();
+}
+
+std::shared_ptr<Channel> Network::connected(const std::string& required) const {
+  return impl_->connected(required);
 }
 
 std::map<std::string, std::string> Network::whyLost() const { return impl_->whyLost(); }
