@@ -131,7 +131,8 @@ class Manager {
   /// and made anew has another channel.
   std::vector<std::shared_ptr<Channel>> channels() const;
   /// Returns, by the name of the connection, why the provider in another process was lost last: it
-  /// closed the connection, fell silent or hung. The reason stays when it is back.
+  /// closed the connection, fell silent or hung. The reason stays when it is back, until
+  /// disconnect().
   std::map<std::string, std::string> whyLost() const;
   /// Returns, by the name of the connection, why one that is lost cannot be made anew: its process
   /// is there and refuses it or does not answer. It is asked again and again all the same.

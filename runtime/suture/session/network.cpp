@@ -9,6 +9,7 @@
 #include <suture/rt/standard_error.h>
 #include <suture/session/client/remote_connection.h>
 #include <suture/session/network.h>
+#include <suture/session/provider/ledgers.h>
 #include <suture/session/provider/peer_host.h>
 #include <unistd.h>
 
@@ -146,7 +147,7 @@ class Network::Impl {
       return tellIfLong(connection->open(), waits)
           .exclusiveJoin(untilGivenUp())
           .catch_([this, name](kj::Exception&& failure) {
-            connections_.erase(name);
+            forget(name);
             kj::throwFatalException(kj::mv(failure));
           });
     });
@@ -161,9 +162,7 @@ class Network::Impl {
   void disconnect(const std::string& required) {
     run(control_, kLocalWork, [this, &required] {
       connections_.at(required)->end();
-      connections_.erase(required);
-      const std::lock_guard lock(mutex_);
-      connected_.erase(required);
+      forget(required);
     });
   }
 
@@ -251,9 +250,19 @@ class Network::Impl {
 
   // A connection that is taken down and made again keeps its ledger.
   std::shared_ptr<Ledger> ledgerOf(const std::string& connection) {
-    std::shared_ptr<Ledger>& ledger = ledgers_[connection];
-    if (ledger == nullptr) ledger = std::make_shared<Ledger>(ConnectionEnd::Client);
+    std::shared_ptr<Ledger> ledger = ledgers_.of("", connection, incarnation_);
+    ledgers_.keep("", connection, incarnation_, ledger);
     return ledger;
+  }
+
+  void forget(const std::string& required) {
+    connections_.erase(required);
+    const std::lock_guard lock(mutex_);
+    const auto found = connected_.find(required);
+    if (found == connected_.end()) return;
+    whyLost_.erase(found->second->name());
+    whyNotBack_.erase(found->second->name());
+    connected_.erase(found);
   }
 
   kj::Promise<void> untilGivenUp() {
@@ -274,7 +283,7 @@ class Network::Impl {
   std::unique_ptr<PeerHost> host_;
   kj::ForkedPromise<void> givenUp_{nullptr};
   kj::Own<kj::PromiseFulfiller<void>> giveUp_;
-  std::map<std::string, std::shared_ptr<Ledger>> ledgers_;                // by name
+  Ledgers ledgers_{ConnectionEnd::Client};
   std::map<std::string, std::unique_ptr<RemoteConnection>> connections_;  // by required interface
   mutable std::mutex mutex_;  // never taken by a task thread
   std::map<std::string, std::shared_ptr<Channel>> connected_;

@@ -76,6 +76,7 @@ class Network {
   /// Returns that of one required interface; nullptr: it has none.
   std::shared_ptr<Channel> connected(const std::string& required) const;
   /// Returns the last reason, in words, why each channel that was lost is, by the channel's name.
+  /// A connection that is taken down leaves none.
   std::map<std::string, std::string> whyLost() const;
   /// Returns in words why each channel that is lost cannot be made anew, by the channel's name.
   std::map<std::string, std::string> whyNotBack() const;

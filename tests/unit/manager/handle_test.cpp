@@ -14,6 +14,7 @@
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
 #include "support/test_thread.h"
+#include "unit/manager/two_processes.h"
 
 namespace suture {
 namespace {
@@ -163,6 +164,39 @@ TEST_P(Handles, MayOutliveTheManager) {
   EXPECT_EQ(handle.hold().error(), Errc::Lost);
   EXPECT_TRUE(handle.on().stopped.reset());  // and rings no client that is gone
   EXPECT_TRUE(handle.on().mode([](const reference::Mode&) {}));
+}
+
+/// Has an arm in one process, and its handles in another.
+struct FreshHandles : testing::Test {
+  FreshHandles() {
+    both.there.add("PSM", psm);
+    both.start();
+  }
+
+  Psm psm;
+  TwoProcesses both;
+};
+
+TEST_F(FreshHandles, LeaveNoReasonsBehind) {
+  {
+    const Handle<ArmLike> handle(both.here, "Gui/Arm", "there:PSM/Arm");
+    both.there.stop();
+    EXPECT_TRUE(eventually([&] { return !both.here.whyLost().empty(); }));
+  }
+  EXPECT_TRUE(both.here.whyLost().empty());
+  EXPECT_TRUE(both.here.whyNotBack().empty());
+}
+
+// The sums of a name outlive its handle, in case another has that name.
+TEST_F(FreshHandles, AreRememberedUpToABound) {
+  constexpr int kMost = 1024;
+  std::weak_ptr<const ChannelCounts> first;
+  for (int i = 0; i <= kMost; ++i) {
+    const Handle<ArmLike> handle(both.here, "Gui" + std::to_string(i) + "/Arm", "there:PSM/Arm",
+                                 {.lane = Lane::Frame});
+    if (i == 0) first = both.here.channels().at(0)->counts;
+    ASSERT_EQ(first.expired(), i == kMost) << i;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Lanes, Handles, testing::Bool(),

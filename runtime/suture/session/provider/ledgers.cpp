@@ -16,7 +16,7 @@ std::shared_ptr<Ledger> Ledgers::of(const std::string& peer, const std::string& 
   std::erase_if(attempted_, [](const auto& one) { return one.second.expired(); });
   std::weak_ptr<Ledger>& attempted = attempted_[{peer, name, client}];
   std::shared_ptr<Ledger> ledger = named ? attempted.lock() : nullptr;
-  if (ledger == nullptr) ledger = std::make_shared<Ledger>(ConnectionEnd::Provider, history);
+  if (ledger == nullptr) ledger = std::make_shared<Ledger>(end_, history);
   attempted = ledger;
   return ledger;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// These are the sums of all connections that peers have made to this process.
+// These are the sums of all connections that begin, or all that end, in this process.
 
 #include <suture/component/channel/counts/ledger.h>
 
@@ -13,12 +13,16 @@
 namespace suture {
 
 /// Belongs to the control thread. A peer is who has proved to be behind a connection; it chooses
-/// the names of connections. So beyond a bound for each peer, the sums that it has used the longest
+/// the names of connections. Those that begin here are of one peer without a name, as this process
+/// chooses them. So beyond a bound for each peer, the sums that it has used the longest
 /// time ago are dropped. From then on this process tells that peer no last counts for a name that
 /// it does not know, because it may have known it. Other peers, and names that it knows, notice
 /// nothing.
 class Ledgers {
  public:
+  /// `end` is the one that this process has.
+  explicit Ledgers(ConnectionEnd end) : end_(end) {}
+
   static constexpr std::size_t kMostOfPeer = 1024;
 
   /// Returns the sums of the peer's connection of that name with that start of the client's
@@ -41,6 +45,7 @@ class Ledgers {
   };
   static bool dropOldest(Peer& peer);
 
+  const ConnectionEnd end_;
   std::map<std::string, Peer> peers_;
   std::map<std::tuple<std::string, std::string, std::uint64_t>, std::weak_ptr<Ledger>> attempted_;
   std::uint64_t accepted_ = 0;

@@ -72,7 +72,7 @@ class PeerHost {
   const Policy policy_;
   kj::Own<kj::PromiseFulfiller<void>> published_;
   kj::ForkedPromise<void> whenPublished_;
-  Ledgers ledgers_;
+  Ledgers ledgers_{ConnectionEnd::Provider};
   LatestConnections latest_;
   ChannelMemory memory_;
   mutable std::mutex mutex_;
