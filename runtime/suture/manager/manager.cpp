@@ -7,6 +7,7 @@
 #include <suture/manager/handle.h>
 #include <suture/manager/lifecycle_interface.h>
 #include <suture/manager/manager.h>
+#include <suture/rt/standard_error.h>
 #include <suture/session/network.h>
 #include <suture/session/provider/device_executor.h>
 #include <suture/standard/collecting.suture.h>
@@ -115,7 +116,8 @@ DelayThread* Manager::delaysFor(const ConnectionDelay& delay) {
 }
 
 Manager::~Manager() {
-  stop();
+  refuseToStopInCycle();
+  if (const std::string why = stopAll(); !why.empty()) printUnlessFull(why);
   for (HandleBase* handle : handles_) handle->manager_ = nullptr;
 }
 
@@ -257,15 +259,21 @@ void Manager::giveUp() {
 
 void Manager::stop() {
   refuseToStopInCycle();
+  if (const std::string why = stopAll(); !why.empty()) throw SetupError(why);
+}
+
+// Returns why one of the parts has failed to stop, in words; "" if none has.
+std::string Manager::stopAll() {
   // Once stopped, components may be gone before the manager is.
   if (std::exchange(started_, false)) stopComponents();
   // The executor rings the doorbells of the network and of delays, which ring each other's, and the
   // network may still ask for an executor. So all stop before any of them is destroyed.
-  if (network_ != nullptr) network_->leave();
+  std::string why = network_ == nullptr ? "" : network_->leave();
   if (executor_ != nullptr) executor_->stop();
   delays_.reset();
   executor_.reset();
   network_.reset();
+  return why;
 }
 
 // A device's handler for a remote client runs in a cycle of the executor.

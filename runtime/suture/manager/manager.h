@@ -93,7 +93,7 @@ class Manager {
   /// Ends all connections and components. Those that provide Collecting (suture/standard) end last,
   /// so that they record what the others did to their end. The destructor does this too. Throws
   /// SetupError, and ends nothing, in the thread of a task of this process, which it would wait
-  /// for.
+  /// for. Throws it also when all has ended, but the connections in disorder.
   void stop();
 
   /// Before or after start(): connects a required interface of this process ("Teleop/Slave") to a
@@ -165,6 +165,7 @@ class Manager {
                                        std::shared_ptr<ConnectionWatch> watch);
 
   void refuseToStopInCycle();
+  std::string stopAll();
   void stopComponents();
 
   Directory directory_;

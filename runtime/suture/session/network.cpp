@@ -73,7 +73,9 @@ class Network::Impl {
     }
   }
 
-  ~Impl() { leave(); }
+  ~Impl() {
+    if (const std::string why = leave(); !why.empty()) printUnlessFull(why);
+  }
 
   // The thread of frame links starts from the control thread, with the first such link, and
   // inherits its scheduling.
@@ -189,20 +191,10 @@ class Network::Impl {
     return whyNotBack_;
   }
 
-  /// Ends what belongs to the control thread, in that thread.
-  void leave() {
-    control_.run(kLocalWork, [this] {
-      connections_.clear();
-      sessions_.reset();
-      if (host_ != nullptr) host_->hangUp();
-      return kj::evalLast([this] {
-        host_.reset();
-        link_.reset();
-        givenUp_ = nullptr;
-        giveUp_ = nullptr;
-      });
-    });
+  std::string leave() {
+    std::string why = endThere();
     for (const auto& lane : lanes_) lane->stop();
+    return why;
   }
 
   std::uint64_t incarnation() const { return incarnation_; }
@@ -238,6 +230,30 @@ class Network::Impl {
                                .components = {},
                                .generation = 0});
         });
+  }
+
+  // Ends what belongs to the control thread, in that thread. Nothing that it still uses may go
+  // before, so this waits for it, however long it is busy. Returns why it failed; "" if it did not.
+  std::string endThere() {
+    for (;;) {
+      try {
+        control_.run(kLocalWork, [this] {
+          connections_.clear();
+          sessions_.reset();
+          if (host_ != nullptr) host_->hangUp();
+          return kj::evalLast([this] {
+            host_.reset();
+            link_.reset();
+            givenUp_ = nullptr;
+            giveUp_ = nullptr;
+          });
+        });
+        return "";
+      } catch (const rpc::ControlFailure& failure) {
+        if (failure.kind() != rpc::ControlFailure::Kind::TimedOut) return failure.what();
+        printUnlessFull(directory_.process() + ": waits to end its connections: " + failure.what());
+      }
+    }
   }
 
   kj::Promise<void> tellIfLong(kj::Promise<void> awaited, const std::string& what) {
@@ -297,7 +313,7 @@ Network::Network(const Directory& directory, const std::string& managerAddress, 
 
 Network::~Network() = default;
 
-void Network::leave() { impl_->leave(); }
+std::string Network::leave() { return impl_->leave(); }
 
 void Network::schedule(const rt::Scheduling& scheduling) { impl_->schedule(scheduling); }
 

@@ -64,9 +64,10 @@ class Network {
   /// again. `required` is like "Teleop/Slave".
   void disconnect(const std::string& required);
 
-  /// Ends all connections and gives the name back. The network's doorbell may still be rung until
-  /// this is destroyed.
-  void leave();
+  /// Ends all connections and gives the name back; waits until the control thread has done that.
+  /// Returns why it failed, in words; "" if it did not. The network's doorbell may still be rung
+  /// until this is destroyed.
+  std::string leave();
 
   /// Returns the addresses of the global managers that do not answer.
   std::string missingManager() const;

@@ -4,7 +4,9 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
 #include <suture/component/task/event_task.h>
+#include <suture/lane/lane_kind.h>
 #include <suture/loop/control_thread.h>
+#include <suture/loop/failure.h>
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
 #include <suture/rt/doorbell.h>
@@ -20,9 +22,11 @@
 
 #include "reference/still_arm.h"
 #include "support/eventually.h"
+#include "support/pass.h"
 #include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
+#include "unit/manager/two_processes.h"
 
 namespace suture {
 namespace {
@@ -226,6 +230,59 @@ TEST(StopLocal, IsNotAskedForByATask) {
   manager.stop();
   EXPECT_EQ(first.state(), ComponentState::Stopped);
   EXPECT_EQ(arm.state(), ComponentState::Stopped);
+}
+
+/// Keeps the control thread of a client for itself until the test ends that.
+class SlowLane final : public LaneKind {
+ public:
+  explicit SlowLane(LongHandler& making) : making_(making) {}
+  const char* name() const override { return "slow"; }
+  kj::Own<LaneClient> makeClient(ClientSession&) override {
+    making_.stay();
+    return kj::heap<Client>();
+  }
+  kj::Own<LaneServer> makeServer(ServerSession&) override { return {}; }
+
+ private:
+  struct Client final : LaneClient {
+    std::string whyNot(const OutgoingConnection&) const override { return "it is slow"; }
+    kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection&) override {
+      return rpc::failure(kj::Exception::Type::FAILED, "it is slow");
+    }
+  };
+  LongHandler& making_;
+};
+
+// What the control thread holds can end nowhere else, so a manager that went on would leave it
+// dangling.
+TEST(StopOfABusyProcess, WaitsForItsControlThreadAndSaysSo) {
+  OccupiedArm arm;
+  StopConsole client;
+  LongHandler making;
+  TwoProcesses both;
+  both.there.add("PSM", arm);
+  both.here.add("Teleop", client);
+  both.here.addLane(std::make_unique<SlowLane>(making));
+  both.start();
+  const std::string unconnected =
+      refusal([&] { both.here.connect("Teleop/Slave", "there:PSM/Arm", {.patience = 0ms}); });
+  EXPECT_NE(unconnected.find("the control thread hangs"), std::string::npos) << unconnected;
+  testing::internal::CaptureStderr();
+  rt::Doorbell stopped;
+  std::string why;
+  std::thread stopping([&] {
+    why = refusal([&] { both.here.stop(); });
+    stopped.ring();
+  });
+  pass(30s);
+  making.end();
+  stopped.wait();
+  stopping.join();
+  EXPECT_EQ(why, "");
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_NE(told.find("here: waits to end its connections: the control thread hangs"),
+            std::string::npos)
+      << told;
 }
 
 /// Hears of modes, and stays in the handler of the first.
