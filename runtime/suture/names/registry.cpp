@@ -12,15 +12,6 @@ using Kind = wire::Refusal::Kind;
 constexpr std::size_t kMaxProcesses = 4096;
 constexpr std::size_t kMaxName = 100;
 
-/// Returns true for a name that cannot be mistaken for part of "process:component/interface", nor
-/// for a path.
-bool isName(const std::string& name) {
-  return !name.empty() && name.size() <= kMaxName &&
-         std::none_of(name.begin(), name.end(), [](unsigned char one) {
-           return one == ':' || one == '/' || one == ' ' || std::iscntrl(one) != 0;
-         });
-}
-
 std::string inBytes(std::size_t count) { return std::to_string(count) + " bytes"; }
 
 std::string title(const ProcessRecord& process) {
@@ -29,6 +20,18 @@ std::string title(const ProcessRecord& process) {
 }
 
 }  // namespace
+
+// It could be mistaken for part of "process:component/interface", or for a path.
+std::string whyNoName(const std::string& name) {
+  const bool good = !name.empty() && name.size() <= kMaxName &&
+                    std::none_of(name.begin(), name.end(), [](unsigned char one) {
+                      return one == ':' || one == '/' || one == ' ' || std::iscntrl(one) != 0;
+                    });
+  if (good) return "";
+  return "register process '" + name +
+         "': a name has 1 to 100 characters, none of them ':', '/', a space or a control "
+         "character. Choose another name.";
+}
 
 tl::expected<std::uint64_t, Refusal> Registry::add(ProcessRecord process,
                                                    std::shared_ptr<Holding> holding) {
@@ -48,11 +51,8 @@ tl::expected<std::uint64_t, Refusal> Registry::add(ProcessRecord process,
 std::optional<Refusal> Registry::whyNot(const ProcessRecord& process, std::size_t bytes,
                                         const Holding& holding) const {
   const std::string asked = "register process '" + process.name + "': ";
-  if (!isName(process.name)) {
-    return Refusal{Kind::MALFORMED,
-                   asked +
-                       "a name has 1 to 100 characters, none of them ':', '/', a space or a "
-                       "control character. Choose another name."};
+  if (const std::string why = whyNoName(process.name); !why.empty()) {
+    return Refusal{Kind::MALFORMED, why};
   }
   if (const ProcessRecord* holder = find(process.name)) {
     return Refusal{Kind::NAME_TAKEN, asked + "the name is held by " + title(*holder) +

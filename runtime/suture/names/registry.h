@@ -13,6 +13,9 @@
 
 namespace suture {
 
+/// Returns why no process can have that name, and what to do; "" if one can.
+std::string whyNoName(const std::string& name);
+
 /// Counts what a registry holds for one link. The registry keeps it, and shares it with those that
 /// add names for the link.
 struct Holding {

@@ -5,6 +5,7 @@
 #include <suture/names/describe.h>
 #include <suture/names/manager_link.h>
 #include <suture/names/peer_address.h>
+#include <suture/names/registry.h>
 #include <suture/names/start_hint.h>
 #include <suture/rt/standard_error.h>
 #include <suture/session/client/remote_connection.h>
@@ -60,6 +61,9 @@ class Network::Impl {
   Impl(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
        TaskOf taskOf, Duration patience, const Security& security)
       : directory_(directory), managers_(rpc::parseAddresses(managerAddress)), security_(security) {
+    if (const std::string why = whyNoName(directory_.process()); !why.empty()) {
+      throw SetupError(why);
+    }
     rpc::requireKeys(managers_.front(), security_.trust());
     try {
       patience = std::min(patience, kLongestPatience);

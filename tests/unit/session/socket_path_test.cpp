@@ -17,6 +17,19 @@ namespace {
 
 constexpr std::size_t kLongest = 107;  // of the path of a socket
 
+// Its name is part of the path, so it must not lead into another folder.
+TEST(SocketPath, ANameThatIsAPathIsTold) {
+  const TemporaryDirectory directory;
+  rpc::ControlThread control;
+  const GlobalManager names(control, "unix:" + directory.file("m.sock"));
+  for (const std::string name : {"a/b", "/a", "", "a:b"}) {
+    EXPECT_EQ(refusal([&] { Manager process(name, names.address()); }),
+              "register process '" + name +
+                  "': a name has 1 to 100 characters, none of them ':', '/', a space or a control "
+                  "character. Choose another name.");
+  }
+}
+
 TEST(SocketPath, ATooLongOwnPathIsTold) {
   const TemporaryDirectory directory;
   const std::string tail = "/m.sock";
