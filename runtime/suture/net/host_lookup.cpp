@@ -36,13 +36,18 @@ Address at(const Address& address, const addrinfo& place) {
 }
 
 /// Makes the calling thread an ordinary one, whatever it has inherited from the control thread: no
-/// signal interrupts it, and it has no real-time priority, whatever a library does to find a name.
+/// signal interrupts it, and it has no real-time priority, nor a processor that it would share with
+/// what has one, whatever a library does to find a name.
 void becomeOrdinaryThread() {
   sigset_t all;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
   const sched_param none{};
   sched_setscheduler(0, SCHED_OTHER, &none);
+  cpu_set_t processes;  // as its first thread has them
+  if (sched_getaffinity(getpid(), sizeof processes, &processes) == 0) {
+    sched_setaffinity(0, sizeof processes, &processes);
+  }
 }
 
 }  // namespace
@@ -122,7 +127,7 @@ kj::Promise<void> HostLookup::ask() {
   auto question = std::make_shared<Question>(address_);
   if (question->answered.get() < 0) {
     return disconnected(asked(address_) + ": " + std::strerror(errno) +
-                        ". Raise the limit of descriptors (ulimit -n).");
+                        ". Raise the limit of open files (ulimit -n).");
   }
   auto observer = kj::heap<EventPort::FdObserver>(port_, question->answered,
                                                   EventPort::FdObserver::OBSERVE_READ);
