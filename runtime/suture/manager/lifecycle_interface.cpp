@@ -10,7 +10,7 @@ namespace suture {
 namespace {
 
 /// Returns `component`. Throws SetupError if it has such an interface already.
-Component& withoutFace(Component& component) {
+Component& withoutLifecycle(Component& component) {
   const auto& all = component.provided();
   const bool taken = std::any_of(all.begin(), all.end(), [](const ProvidedBase* one) {
     return one->name() == LifecycleInterface::kName;
@@ -27,7 +27,7 @@ constexpr std::size_t kLongestFault = 255;  // as StateChange declares
 }  // namespace
 
 LifecycleInterface::LifecycleInterface(Component& component, std::shared_ptr<rt::Doorbell> changed)
-    : component_(withoutFace(component)),
+    : component_(withoutLifecycle(component)),
       provided_(component, kName, *this),
       changed_(std::move(changed)) {
   provided_.serveInEveryState();

@@ -53,7 +53,7 @@ class Network {
   /// Announces the components that are in the directory, and lets peers connect to them.
   void publish();
 
-  /// Connects by way of the control connection, also to this process itself. `delays` delays it;
+  /// Connects by way of the control link, also to this process itself. `delays` delays it;
   /// nullptr: nothing does. Throws SetupError.
   void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
                const ConnectOptions& options, DelayThread* delays,
