@@ -52,7 +52,7 @@ std::vector<rpc::Address> managersOf(const Deployment& deployment) {
 }
 
 std::string nameOf(const ConnectionEntry& connection) {
-  return connection.from.toString() + " -> " + connection.to.toString();
+  return connectionName(connection.from, connection.to);
 }
 
 class Check {

@@ -86,7 +86,7 @@ void Host::requireLanes() const {
     const Lane& lane = connection.options.lane;
     if (connection.from.process != process_.name || lane == Lane::Auto) continue;
     if (std::find(known.begin(), known.end(), lane.name) != known.end()) continue;
-    const std::string name = connection.from.toString() + " -> " + connection.to.toString();
+    const std::string name = connectionName(connection.from, connection.to);
     problems.push_back(deployment_.document().locate(connection.pointer + "/lane",
                                                      laneUnknown(name, lane, known).what()));
   }

@@ -326,8 +326,9 @@ void Manager::disconnect(HandleBase& handle) {
 void Manager::connect(RequiredBase& required, const Endpoint& from, std::string_view providedName,
                       const ConnectOptions& options) {
   const Endpoint to = Endpoint::parse(providedName);
-  const std::string connection = process() + ":" + from.component + "/" + from.interface + " -> " +
-                                 (to.process.empty() ? process() + ":" : "") + to.toString();
+  const std::string connection =
+      connectionName({process(), from.component, from.interface},
+                     {to.process.empty() ? process() : to.process, to.component, to.interface});
   if (const auto existing = connectionOf(from.toString()); existing != nullptr) {
     throw SetupError("connecting " + connection, "it is already connected: " + existing->name(),
                      "A required interface has one provider; disconnect() it first, or add another "

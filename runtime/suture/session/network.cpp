@@ -143,9 +143,9 @@ class Network::Impl {
                 printUnlessFull(directory_.process() + ": " + channel + " cannot travel by lane '" +
                                 lane + "': " + plain(why));
               }};
-      auto begun = std::make_unique<RemoteConnection>(
-          control_, *sessions_, lanes_, required, from, to, options, listener, delays, watch,
-          ledgerOf(from.toString() + " -> " + to.toString()));
+      auto begun = std::make_unique<RemoteConnection>(control_, *sessions_, lanes_, required, from,
+                                                      to, options, listener, delays, watch,
+                                                      ledgerOf(connectionName(from, to)));
       auto& connection = connections_[name] = std::move(begun);
       const std::string waits = "waits for '" + to.toString() + "' " + atMost(options.patience) +
                                 ". Start process '" + to.process + "' if it does not run";

@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/component/channel/channel.h>
 #include <suture/wiring/endpoint.h>
 
 namespace suture {
@@ -23,6 +24,10 @@ Endpoint Endpoint::parse(std::string_view text) {
 
 std::string Endpoint::toString() const {
   return (process.empty() ? "" : process + ":") + component + "/" + interface;
+}
+
+std::string connectionName(const Endpoint& from, const Endpoint& to) {
+  return from.toString().append(Channel::kArrow) + to.toString();
 }
 
 }  // namespace suture

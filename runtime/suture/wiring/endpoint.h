@@ -17,4 +17,7 @@ struct Endpoint {
   std::string toString() const;
 };
 
+/// Returns what a connection is called: "console:Teleop/Slave -> robot:PSM/Arm".
+std::string connectionName(const Endpoint& from, const Endpoint& to);
+
 }  // namespace suture

@@ -88,9 +88,14 @@ class Channel {
   const InterfaceInfo& info;
   const Terms terms;
   const std::string& name() const { return terms.name; }
-  /// Returns the client's part of that name.
+  /// Parts the two ends in the name of a connection.
+  static constexpr std::string_view kArrow = " -> ";
+  /// Return the client's part of that name, and the provider's.
   std::string_view clientName() const {
-    return std::string_view(name()).substr(0, name().rfind(" -> "));
+    return std::string_view(name()).substr(0, name().rfind(kArrow));
+  }
+  std::string_view providerName() const {
+    return std::string_view(name()).substr(name().rfind(kArrow) + kArrow.size());
   }
   const std::string lane;
   const Ends ends;

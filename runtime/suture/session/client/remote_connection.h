@@ -77,7 +77,7 @@ class RemoteConnection {
   std::string failed(const char* lane, std::string why);
   void use(OpenedEnd opened, wire::ConnectResults::Accepted::Reader accepted);
   OutgoingConnection outgoing() const;
-  std::string name() const { return from_.toString() + " -> " + to_.toString(); }
+  std::string name() const { return connectionName(from_, to_); }
   void keep();
   void letGo();
   void lose(std::string why);

@@ -26,19 +26,12 @@ std::vector<Connected> connectedIn(const Directory& directory) {
   return all;
 }
 
-/// Returns the provider's part of the name of a connection.
-std::string_view providerOf(const Channel& channel) {
-  constexpr std::string_view kArrow = " -> ";
-  const std::string_view name = channel.name();
-  return name.substr(name.rfind(kArrow) + kArrow.size());
-}
-
 void toWire(const Connected& one, wire::ConnectionState::Builder out) {
   const Channel& channel = *one.channel;
   const ConnectionWatch* const watch = channel.terms.watch.get();
   out.setComponent(textOf(one.required->owner().name()));
   out.setRequired(textOf(one.required->name()));
-  out.setProvided(textOf(std::string(providerOf(channel))));
+  out.setProvided(textOf(std::string(channel.providerName())));
   out.setLane(textOf(channel.lane));
   out.setStatus(toString(channel.status.load(std::memory_order_acquire)));
   out.setSince(toNanoseconds(channel.statusSince.load(std::memory_order_relaxed)));

@@ -222,7 +222,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
   auto in = context.getParams();
   const Endpoint client{stringOf(in.getFromProcess()), stringOf(in.getFromComponent()),
                         stringOf(in.getRequired())};
-  const std::string name = client.toString() + " -> " + endpoint.toString();
+  const std::string name = connectionName(client, endpoint);
   const std::string contract = stringOf(in.getContract()), hash = stringOf(in.getHash()),
                     description = stringOf(in.getDescription());
   try {
