@@ -1,4 +1,5 @@
 #include <suture/base/virtual_time.h>
+#include <suture/base/words.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/channel/credit.h>
 #include <suture/component/latched.h>
@@ -15,7 +16,7 @@ namespace {
 std::size_t payloadWords(const InterfaceInfo& info) {
   std::size_t size = 0;
   for (const EventInfo& event : info.events) size = std::max<std::size_t>(size, event.payloadSize);
-  return (size + 7) / 8;
+  return wordsFor(size);
 }
 
 /// Rings a client that had found no room, at the end of a drain, also when a handler throws. If the

@@ -1,3 +1,4 @@
+#include <suture/base/words.h>
 #include <suture/component/provided.h>
 #include <suture/record/black_box.h>
 #include <suture/record/json_lines.h>
@@ -25,7 +26,7 @@ class Rows {
     for (std::uint16_t read = 0; read < provided.info().commands.size(); ++read) {
       const int column = provided.info().commands[read].column;
       if (column < 0 || table_.isShared(static_cast<unsigned>(column))) continue;
-      memory_.emplace_back((table_.columnSize(static_cast<unsigned>(column)) + 7) / 8);
+      memory_.emplace_back(wordsFor(table_.columnSize(static_cast<unsigned>(column))));
       slots_[static_cast<std::size_t>(column)] =
           reinterpret_cast<std::byte*>(memory_.back().data());
       values_.push_back({read, nullptr});

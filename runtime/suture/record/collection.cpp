@@ -1,16 +1,12 @@
 #include <suture/base/errors.h>
 #include <suture/base/nearest.h>
 #include <suture/record/collection.h>
+#include <suture/rt/counter.h>
 
 #include <algorithm>
 
 namespace suture {
 namespace {
-
-// Each counter has one writer, so it needs no read-modify-write.
-void add(std::atomic<std::uint64_t>& counter, std::uint64_t count) {
-  counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
-}
 
 template <class Member, class Eligible>
 std::vector<std::uint16_t> numbersOf(const char* contract, const char* kind,
@@ -71,15 +67,15 @@ bool Collection::keep(Time stamp) {
   const bool due = untilNext_ == 0;
   untilNext_ = due ? interval_.every - 1 : untilNext_ - 1;
   if (!due || (last_ != Time{} && stamp - last_ < interval_.atLeast)) {
-    add(passedOver_, 1);
+    rt::increment(passedOver_);
     return false;
   }
   last_ = stamp;
-  add(collected_, 1);
+  rt::increment(collected_);
   return true;
 }
 
-void Collection::countMissed(std::uint64_t count) { add(missed_, count); }
+void Collection::countMissed(std::uint64_t count) { rt::increment(missed_, count); }
 
 void Collection::settle(Sink& sink, const CollectedInterface& from, std::uint64_t& unreported) {
   try {
@@ -96,7 +92,7 @@ void Collection::countNotKept(std::uint64_t count) {
   const std::uint64_t collected = collected_.load(std::memory_order_relaxed);
   const std::uint64_t counted = std::min(count, collected);
   collected_.store(collected - counted, std::memory_order_relaxed);
-  add(missed_, counted);
+  rt::increment(missed_, counted);
 }
 
 std::vector<std::uint16_t> readsOf(const InterfaceInfo& contract,

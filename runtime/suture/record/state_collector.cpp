@@ -1,3 +1,4 @@
+#include <suture/base/words.h>
 #include <suture/component/channel/channel.h>
 #include <suture/record/state_collector.h>
 #include <suture/rt/period.h>
@@ -55,7 +56,7 @@ StateCollector::StateCollector(const InterfaceInfo& contract, const StateCollect
   }
   for (const std::uint16_t read : reads_) {
     const CommandInfo& command = contract.commands[read];
-    memory_.emplace_back((command.resultSize + 7) / 8);
+    memory_.emplace_back(wordsFor(command.resultSize));
     slots_[static_cast<std::size_t>(command.column)] =
         reinterpret_cast<std::byte*>(memory_.back().data());
     values_.push_back({read, nullptr});

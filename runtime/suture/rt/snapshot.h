@@ -1,6 +1,8 @@
 #pragma once
 // This is one small value that one thread writes now and then and any thread may read.
 
+#include <suture/base/words.h>
+
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -44,7 +46,7 @@ class Snapshot {
   }
 
  private:
-  static constexpr std::size_t kWords = (sizeof(T) + 7) / 8;
+  static constexpr std::size_t kWords = wordsFor(sizeof(T));
 
   std::atomic<std::uint64_t> written_{0};  // how many values
   // The last value is at its number modulo two; the writer writes the other.

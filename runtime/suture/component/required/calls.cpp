@@ -1,4 +1,5 @@
 #include <suture/base/slots/used_parts.h>
+#include <suture/base/words.h>
 #include <suture/component/channel/call_limit.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/required/calls.h>
@@ -12,7 +13,7 @@ namespace suture {
 
 Calls::Calls(Attachment& attachment)
     : attachment_(attachment), calls_(callLimitOf(attachment.info()).calls) {
-  const std::size_t words = (callLimitOf(attachment.info()).largestResult + 7) / 8;
+  const std::size_t words = wordsFor(callLimitOf(attachment.info()).largestResult);
   results_.resize(words * calls_.size());
   for (std::size_t i = 0; i < calls_.size(); ++i) {
     calls_[i].result = std::as_writable_bytes(std::span(results_).subspan(i * words, words));
