@@ -19,7 +19,7 @@ constexpr int kArrivals = 64;
 kj::AutoCloseFd opened(int descriptor, const char* what) {
   if (descriptor >= 0) return kj::AutoCloseFd(descriptor);
   throw SetupError(std::string("make ") + what + " for the thread of frames", std::strerror(errno),
-                   "Raise the limit of descriptors (ulimit -n)");
+                   "Raise the limit of open files (ulimit -n).");
 }
 
 }  // namespace
