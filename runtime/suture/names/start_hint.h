@@ -1,6 +1,8 @@
 #pragma once
 // This greets a global manager, and says what to do where none answers.
 
+#include <suture/loop/kj_comparisons.h>  // first
+
 #include <kj/async.h>
 #include <suture/manager.capnp.h>
 #include <suture/net/address.h>
