@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "recorder/jumps.h"
 #include "recorder/recording.h"
 
 namespace robots {
@@ -21,10 +22,7 @@ struct HoldJudgement {
   /// not.
   std::optional<double> resumed_after;
   bool enabled_at_end = true;  ///< it would have obeyed
-  /// Since the break, the set-point moved farther by this within 50 ms, or less, than a fast hand
-  /// does, in m, and turned farther by this, in rad.
-  double largest_jump = 0;
-  double largest_turn = 0;
+  Jumps jumps;                 ///< since the break
 };
 
 /// Rows must come by ascending stamp; `broken` and `mended` are on their clock.
@@ -35,8 +33,7 @@ struct HoldBounds {
 };
 
 /// Returns each bound that is missed, in words. The bounds are that it moves until half a second
-/// before the break at least, holds soon, moves again, and jumps by no more than 3 mm and 3
-/// degrees, which is how far an arm's data may lag behind at the demo's speeds. To turn is to move.
+/// before the break at least, holds soon, moves again, and does not jump. To turn is to move.
 std::vector<std::string> violations(const HoldJudgement& judgement, const HoldBounds& bounds = {});
 
 }  // namespace robots

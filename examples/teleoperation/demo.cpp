@@ -132,17 +132,6 @@ void declare(CLI::App& app, demo::Options& options) {
   declareComparison(app, options);
 }
 
-/// Returns the error since the last call of the slave that was farthest off, in m at p99; none if
-/// there is nothing to compare.
-std::optional<double> worstError(std::vector<demo::FollowingWatch>& watches) {
-  std::optional<double> worst;
-  for (demo::FollowingWatch& watch : watches) {
-    const auto recent = watch.recent();
-    if (recent) worst = std::max(worst.value_or(0), recent->p99);
-  }
-  return worst;
-}
-
 /// Returns false, with the reason on standard error, if `work` throws.
 bool succeeds(const std::function<void()>& work) {
   try {
@@ -178,12 +167,12 @@ int run(const demo::Options& options, const demo::Topologies& topologies) {
   if (!options.picture.empty()) demo::requireKnot(plan);
   const suture::Duration length = demo::lengthOf(options);
   const auto cutOff = demo::parseBreak(options.cutOff, plan, network, length);
+  demo::Watches watches(plan);
   demo::Crew crew(plan, network, cutOff, programs(), folder.path());
   demo::Screen screen;
   screen.begin(options, plan, network);
-  auto watches = demo::watchAll(plan.followings());
   const demo::CrewResult result = crew.run(length, [&](auto ran, const auto& reports) {
-    screen.progress(ran, reports, worstError(watches));
+    screen.progress(ran, reports, watches.worstError());
   });
   const demo::Verdict verdict = demo::judgeRun(plan, cutOff, result, watches);
   screen.end(plan, result, verdict);
@@ -206,7 +195,8 @@ int main(int argc, char** argv) {
       "Two masters drive two slaves through code that suturec wrote from plain C++ headers. Exit "
       "status 0: no process died, every connection used the lane it was given, each slave "
       "travelled at least 30 mm and followed the law within 1 mm and 1 degree at p99, for 90 % of "
-      "the time in which it had to, a knot came to 1 mm from its target, slaves held while a "
+      "the time in which it had to, none jumped, a knot came to 1 mm from its target, slaves held "
+      "while a "
       "process "
       "that they depend on was cut off or the emergency stop was pressed, and the files that were "
       "asked for are written.");

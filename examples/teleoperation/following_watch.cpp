@@ -1,5 +1,6 @@
 #include "following_watch.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace demo {
@@ -8,7 +9,7 @@ FollowingWatch::FollowingWatch(const Following& following)
     : following_(following),
       master_(following.masterRecording),
       teleop_(following.teleopRecording),
-      slave_(following.slaveRecording),
+      slave_({following.slave, following.slaveRecording}),
       judge_(following.lag) {}
 
 // The slave is read first, because a slave cycle can be judged only by a master that is known.
@@ -36,15 +37,28 @@ void FollowingWatch::take(const robots::Recording& master, const robots::Recordi
   judge_.addMaster(master.arm);
   judge_.addFollowed(teleop.followed);
   clutch_.insert(clutch_.end(), teleop.clutch.begin(), teleop.clutch.end());
-  stops_.insert(stops_.end(), slave.stops.begin(), slave.stops.end());
   const bool isOneFile = following_.teleopRecording == following_.masterRecording;
   lost_ = slave.lost + master.lost + (isOneFile ? 0 : teleop.lost);
 }
 
-std::vector<FollowingWatch> watchAll(const std::vector<Following>& followings) {
-  std::vector<FollowingWatch> watches;
-  for (const Following& following : followings) watches.emplace_back(following);
-  return watches;
+Watches::Watches(const Plan& plan) {
+  for (const Following& following : plan.followings()) followings.emplace_back(following);
+  for (const RecordedSlave& slave : plan.judgedSlaves()) {
+    const bool isFollowing =
+        std::any_of(followings.begin(), followings.end(),
+                    [&](const FollowingWatch& one) { return one.following().slave == slave.name; });
+    if (!isFollowing) others.emplace_back(slave);
+  }
+}
+
+std::optional<double> Watches::worstError() {
+  std::optional<double> worst;
+  for (FollowingWatch& watch : followings) {
+    const auto recent = watch.recent();
+    if (recent) worst = std::max(worst.value_or(0), recent->p99);
+  }
+  for (SlaveWatch& watch : others) watch.next();
+  return worst;
 }
 
 }  // namespace demo

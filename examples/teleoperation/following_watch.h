@@ -9,6 +9,7 @@
 #include "recorder/judge.h"
 #include "recorder/recording.h"
 #include "run/plan.h"
+#include "slave_watch.h"
 
 namespace demo {
 
@@ -24,9 +25,8 @@ class FollowingWatch {
   /// Reads the rest, once the recorders have ended. Throws as recent() does, and also if one never
   /// recorded.
   void readRest();
-  /// Return what was read: the stops of which the slave's recorder heard, and how many records are
-  /// not in the files.
-  const std::vector<robots::StopNews>& stops() const { return stops_; }
+  const SlaveWatch& slave() const { return slave_; }
+  /// Returns how many records are not in the files.
   std::uint64_t lost() const { return lost_; }
   /// Judges the whole run, after readRest(). `excused` is when the slave need not follow, beside
   /// the time in which the clutch was pressed.
@@ -37,13 +37,24 @@ class FollowingWatch {
             const robots::Recording& slave);
 
   const Following following_;
-  robots::RecordingReader master_, teleop_, slave_;
+  robots::RecordingReader master_, teleop_;
+  SlaveWatch slave_;
   robots::Judge judge_;
   std::vector<robots::ClutchNews> clutch_;
-  std::vector<robots::StopNews> stops_;
   std::uint64_t lost_ = 0;
 };
 
-std::vector<FollowingWatch> watchAll(const std::vector<Following>& followings);
+/// Watches each slave that is judged.
+struct Watches {
+  /// Throws suture::SetupError if nothing records a slave that is driven.
+  explicit Watches(const Plan& plan);
+
+  /// Reads on. Returns the error since the last call of the slave that was farthest off, in m at
+  /// p99; none if there is nothing to compare.
+  std::optional<double> worstError();
+
+  std::vector<FollowingWatch> followings;
+  std::vector<SlaveWatch> others;  ///< slaves that follow no master alone
+};
 
 }  // namespace demo

@@ -29,6 +29,11 @@ json toJson(const ArmFigures& arm) {
     out["compared"] = arm.following->compared;
     out["unmatched"] = arm.following->unmatched;
   }
+  if (arm.jumps) {
+    out["largest_jump"] = arm.jumps->setpoint.largest;
+    out["largest_turn"] = arm.jumps->setpoint.largest_turn;
+    out["astray"] = arm.jumps->astray;
+  }
   return out;
 }
 
@@ -59,8 +64,8 @@ void writeResult(const std::filesystem::path& file, const Options& options, cons
     out["held"].push_back({{"name", slave.name},
                            {"held_after", slave.judgement.held_after},
                            {"resumed_after", resumed ? json(*resumed) : json()},
-                           {"largest_jump", slave.judgement.largest_jump},
-                           {"largest_turn", slave.judgement.largest_turn}});
+                           {"largest_jump", slave.judgement.jumps.largest},
+                           {"largest_turn", slave.judgement.jumps.largest_turn}});
   }
   if (verdict.knot) {
     out["knot"] = {{"start", verdict.knot->start},

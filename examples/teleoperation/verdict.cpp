@@ -103,9 +103,14 @@ std::vector<robots::Span> excusesOf(const FollowingWatch& watch, const Plan& pla
   if (result.cutOff && std::any_of(cutOff->slaves.begin(), cutOff->slaves.end(), isIt)) {
     excuses.push_back({*result.cutOff, result.outage ? result.outage->mended : result.ended});
   }
-  const auto stop = plan.stop() ? firstStop(watch.stops()) : std::nullopt;
+  const auto stop = plan.stop() ? firstStop(watch.slave().stops()) : std::nullopt;
   if (stop) excuses.push_back({stop->pressed, stop->released.value_or(result.ended)});
   return excuses;
+}
+
+ArmFigures& figuresOf(const std::string& name, std::vector<ArmFigures>& arms) {
+  return *std::find_if(arms.begin(), arms.end(),
+                       [&](const ArmFigures& arm) { return arm.name == name; });
 }
 
 /// Judges one slave from the recordings; fills its figures.
@@ -129,6 +134,36 @@ Check checkFollowing(const Plan& plan, const std::optional<Break>& cutOff, const
                   "the time",
                   pair, 1e3 * judgement.position.p99, kDegreesOfRadian * judgement.orientation.p99,
                   1e3 * judgement.travel, 1e2 * judgement.followed.share)};
+}
+
+/// Reads the rest of what a slave that follows no master alone has recorded.
+std::optional<Check> readRest(SlaveWatch& watch) {
+  try {
+    watch.rest();
+  } catch (const suture::SetupError& error) {
+    return Check{false, watch.slave().name + ": " + error.what()};
+  }
+  const auto lost = withLost({}, watch.lost());
+  if (lost.empty()) return std::nullopt;
+  return Check{false, watch.slave().name + ": " + lost.front()};
+}
+
+/// Judges that no slave jumped during the whole run; fills their figures.
+Check checkJumps(const std::vector<const SlaveWatch*>& slaves, std::vector<ArmFigures>& arms) {
+  std::vector<std::string> found;
+  double astray = 0;
+  for (const SlaveWatch* watch : slaves) {
+    const robots::JumpJudgement jumps = watch->jumps();
+    figuresOf(watch->slave().name, arms).jumps = jumps;
+    astray = std::max(astray, jumps.astray);
+    for (const std::string& violation : robots::violations(jumps)) {
+      found.push_back(fmt::format("{}: {}", watch->slave().name, violation));
+    }
+  }
+  if (!found.empty()) return {false, fmt::format("{}", fmt::join(found, "; "))};
+  return {true, fmt::format("{} never jumped, and stayed within {:.2f} mm of the path of their "
+                            "set-points",
+                            counted(slaves.size(), "slave"), 1e3 * astray)};
 }
 
 /// Judges the placing of the knot from its recording; fills its figures.
@@ -206,20 +241,25 @@ bool Verdict::passed() const {
 }
 
 Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const CrewResult& result,
-                 std::vector<FollowingWatch>& watches) {
+                 Watches& watches) {
   Verdict verdict;
   verdict.connections = suture::mergeConnections(result.reports);
   for (const std::string& arm : plan.arms()) {
-    verdict.arms.push_back({arm, taskOf(result.reports, arm), "", std::nullopt});
+    verdict.arms.push_back({arm, taskOf(result.reports, arm), "", {}, {}});
   }
   verdict.checks = {checkProcesses(result, verdict.connections), checkPrograms(result.programs),
                     checkLanes(plan, verdict.connections)};
-  for (FollowingWatch& watch : watches) {
-    const auto slave =
-        std::find_if(verdict.arms.begin(), verdict.arms.end(),
-                     [&](const ArmFigures& arm) { return arm.name == watch.following().slave; });
-    verdict.checks.push_back(checkFollowing(plan, cutOff, result, watch, *slave));
+  std::vector<const SlaveWatch*> slaves;
+  for (FollowingWatch& watch : watches.followings) {
+    ArmFigures& slave = figuresOf(watch.following().slave, verdict.arms);
+    verdict.checks.push_back(checkFollowing(plan, cutOff, result, watch, slave));
+    slaves.push_back(&watch.slave());
   }
+  for (SlaveWatch& watch : watches.others) {
+    if (const auto problem = readRest(watch)) verdict.checks.push_back(*problem);
+    slaves.push_back(&watch);
+  }
+  if (!slaves.empty()) verdict.checks.push_back(checkJumps(slaves, verdict.arms));
   if (plan.knot()) verdict.checks.push_back(checkKnot(*plan.knot(), verdict.knot));
   if (plan.stop() && !result.interrupted) {
     for (const RecordedSlave& slave : plan.slaves()) {

@@ -21,6 +21,7 @@ struct ArmFigures {
   suture::TaskReport task;
   std::string master;                          ///< "": nothing drives it
   std::optional<robots::Judgement> following;  ///< of a slave whose run could be judged
+  std::optional<robots::JumpJudgement> jumps;  ///< of each slave that was recorded
 };
 
 /// A HeldSlave is a slave that had to hold, while a process was cut off or the emergency stop was
@@ -47,6 +48,6 @@ struct Verdict {
 
 /// Reads the recordings to their end. An interrupted run is judged too.
 Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const CrewResult& result,
-                 std::vector<FollowingWatch>& watches);
+                 Watches& watches);
 
 }  // namespace demo

@@ -250,6 +250,12 @@ bool Plan::dependsOn(const std::string& slave, const CutOff& cutOff) const {
   });
 }
 
+std::vector<RecordedSlave> Plan::judgedSlaves() const {
+  return slavesOf([&](const std::string& slave) {
+    return isDriven(slave) || recorderOf(slave + "/Arm") != nullptr;
+  });
+}
+
 std::vector<RecordedSlave> Plan::slaves() const {
   return slavesOf([](const std::string&) { return true; });
 }
@@ -346,12 +352,25 @@ std::string Plan::connectedTo(const std::string& required) const {
                            "Connect it in the topology's file");
 }
 
-std::filesystem::path Plan::recordingOf(const std::string& provided) const {
+bool Plan::isDriven(const std::string& slave) const {
+  const auto& all = deployment_.connections();
+  return std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& one) {
+    return one.to.toString() == slave + "/Arm" && isDriver(component(nameOf(one.from)));
+  });
+}
+
+const ComponentEntry* Plan::recorderOf(const std::string& provided) const {
   for (const ConnectionEntry& connection : deployment_.connections()) {
     if (connection.to.toString() != provided) continue;
     const ComponentEntry& client = component(nameOf(connection.from));
-    if (client.className == "Recorder") return parameterOf<std::string>(client, "file");
+    if (client.className == "Recorder") return &client;
   }
+  return nullptr;
+}
+
+std::filesystem::path Plan::recordingOf(const std::string& provided) const {
+  const ComponentEntry* const recorder = recorderOf(provided);
+  if (recorder != nullptr) return parameterOf<std::string>(*recorder, "file");
   throw suture::SetupError("judging '" + provided + "'", "nothing in the deployment records it",
                            "Connect a Recorder to it in the topology's file");
 }

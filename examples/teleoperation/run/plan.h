@@ -85,6 +85,9 @@ class Plan {
   /// Returns "process:component" of every arm, in the order of the file.
   const std::vector<std::string>& arms() const { return arms_; }
   const std::vector<Following>& followings() const { return followings_; }
+  /// Returns the slaves that are driven or recorded. Throws suture::SetupError if nothing records
+  /// one that is driven.
+  std::vector<RecordedSlave> judgedSlaves() const;
   /// Return all slaves, or those that have to hold while a process is cut off, because a connection
   /// is cut that drives them, or has the power or the stop of an arm that takes part. Throw
   /// suture::SetupError if one is not recorded.
@@ -118,6 +121,9 @@ class Plan {
   /// Returns the first component of a class; null if there is none.
   const suture::ComponentEntry* componentOfClass(const std::string& name) const;
   std::string connectedTo(const std::string& required) const;
+  bool isDriven(const std::string& slave) const;
+  /// Returns the recorder that is connected to it; null if there is none.
+  const suture::ComponentEntry* recorderOf(const std::string& provided) const;
   std::filesystem::path recordingOf(const std::string& provided) const;
 
   const std::string name_;

@@ -60,7 +60,7 @@ TEST(HoldJudge, AcceptsAnArmThatHoldsSoon) {
   EXPECT_NEAR(judgement.held_after, 0.019, 1e-9);
   ASSERT_TRUE(judgement.resumed_after);
   EXPECT_NEAR(*judgement.resumed_after, 0.3, 1e-9);
-  EXPECT_EQ(judgement.largest_jump, 0);
+  EXPECT_EQ(judgement.jumps.largest, 0);
   EXPECT_TRUE(violations(judgement).empty());
 }
 
