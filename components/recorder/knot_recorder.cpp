@@ -20,6 +20,7 @@ void KnotRecorder::run() {
   if (!strand || !strand->valid || strand->stamp == row_.strand.stamp || !frames) return;
   row_.strand = *strand;
   row_.camera = frames->camera;
+  row_.tissue = frames->tissue;
   const auto sighting = vision_.sighting();
   row_.sighting = sighting ? *sighting : KnotSighting{};
   row_.guiding = guiding_ && guidance_.connected();

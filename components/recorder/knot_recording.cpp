@@ -37,6 +37,7 @@ KnotRow toRow(const Json& json) {
   row.strand.right_tension = json.at("right_tension").get<double>();
   row.strand.valid = true;
   read(json.at("camera"), row.camera.matrix());
+  row.tissue = json.at("tissue").get<double>();
   row.guiding = json.at("guiding").get<bool>();
   const Json& seen = json.at("seen");
   row.sighting.valid = !seen.is_null();
@@ -65,6 +66,7 @@ void write(std::ostream& out, const KnotRow& row) {
               {"left_tension", row.strand.left_tension},
               {"right_tension", row.strand.right_tension},
               {"camera", toJson(row.camera.matrix())},
+              {"tissue", row.tissue},
               {"seen", seen},
               {"guiding", row.guiding}}
       << '\n';

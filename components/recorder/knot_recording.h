@@ -17,7 +17,8 @@ namespace robots {
 struct KnotRow {
   StrandState strand;
   Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();  ///< in the scene
-  KnotSighting sighting;                                     ///< the last one at that moment
+  double tissue = 0;      ///< m: z of the tissue's surface in the scene, as it is registered
+  KnotSighting sighting;  ///< the last one at that moment
   bool guiding = false;
 
   /// Returns the true place of the knot, in the scene, in m.

@@ -12,7 +12,6 @@
 
 #include "picture/canvas.h"
 #include "recorder/knot_recording.h"
-#include "registration/registration.h"
 #include "strand/strand.h"
 #include "timing/seconds.h"
 #include "vision/painter.h"
@@ -49,8 +48,8 @@ class View {
         left_(eye == Eye::Left ? 0 : cameras_.width) {}
 
   /// Returns false if a part of it is not before the camera.
-  bool paint(const robots::Strand::Nodes& inScene) {
-    const robots::View view = robots::seenFrom(toScene(), inScene, robots::SceneFrames{}.tissue);
+  bool paint(const KnotRow& row) {
+    const robots::View view = robots::seenFrom(row.camera, row.strand.nodes, row.tissue);
     if (!seesAll(cameras_, view.strand)) return false;
     robots::ImageFrame image;
     robots::Painter(cameras_).paint(eye_, view, image);
@@ -106,7 +105,7 @@ void drawCorridor(View& view, const KnotPlacing& placing) {
 
 void drawView(Canvas& canvas, const KnotPlacing& placing, const KnotRow& row, Eye eye) {
   View view(canvas, row.camera, eye);
-  if (!view.paint(row.strand.nodes)) return;
+  if (!view.paint(row)) return;
   drawCorridor(view, placing);
   view.cross(placing.target, 7, kWhite);
   for (const int node : {0, robots::Strand::kKnot, robots::Strand::kNodes - 1}) {

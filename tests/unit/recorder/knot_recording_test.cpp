@@ -33,6 +33,7 @@ KnotRow someKnotRow() {
   row.strand.valid = true;
   row.camera.translation() = Vector3d(0.1, 1.0 / 3, -1e-9);
   row.camera.linear() = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  row.tissue = -0.5 / 3;
   row.sighting.knot = Vector3d(1, 2, 3) / 7;
   row.sighting.left_tip = Vector3d(4, 5, 6) / 11;
   row.sighting.right_tip = Vector3d(7, 8, 9) / 13;
@@ -62,6 +63,7 @@ void expectEqual(const StrandState& found, const StrandState& expected) {
 void expectEqual(const KnotRow& found, const KnotRow& expected) {
   expectEqual(found.strand, expected.strand);
   EXPECT_EQ(found.camera.matrix(), expected.camera.matrix());
+  EXPECT_EQ(found.tissue, expected.tissue);
   expectEqual(found.sighting, expected.sighting);
   EXPECT_EQ(found.guiding, expected.guiding);
 }
