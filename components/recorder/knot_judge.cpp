@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -26,6 +28,7 @@ constexpr double kLeastSighted = 0.9;
 // The guide's process may end some moments before the recorder's.
 constexpr double kLeastGuided = 0.5;
 constexpr auto kEnd = std::chrono::milliseconds(500);
+constexpr double kFarthestOutside = 0.002;  // m
 
 Rows::const_iterator firstSince(const Rows& rows, suture::Time stamp) {
   return std::lower_bound(
@@ -73,10 +76,40 @@ void judgeGuided(const Rows& rows, const Vector3d& target, KnotJudgement& judgem
   judgement.sighting_error = summarise(std::move(sightingErrors)).p99;
 }
 
+/// Returns how far a knot is outside of the corridor, whose eight planes are about its circle, or
+/// beyond the target.
+double outsideOf(const KnotBounds& bounds, const Vector3d& target, const Vector3d& knot) {
+  const Vector3d approach = bounds.approach.normalized(), left = target - knot;
+  const double ahead = approach.dot(left);
+  const double corner = 1 / std::cos(std::numbers::pi / 8);
+  const double room = corner * (bounds.radius + bounds.slope * std::max(ahead, 0.0));
+  return std::max(left.cross(approach).norm() - room, -ahead);
+}
+
+/// Fills in how far knot and tips were where the fixtures do not let them, in all guided rows.
+void judgeBounds(const Rows& rows, const Vector3d& target, const KnotBounds& bounds,
+                 KnotJudgement& judgement) {
+  std::optional<double> atFirst;  // m outside: fixtures move nothing back
+  for (const KnotRow& row : rows) {
+    if (!row.guiding) continue;
+    const Vector3d left = row.strand.nodes.col(0), right = row.strand.nodes.rightCols<1>();
+    const double outside = outsideOf(bounds, target, row.knot());
+    if (!atFirst) atFirst = std::max(outside, 0.0);
+    const auto keepMost = [](std::optional<double>& most, double value) {
+      most = std::max(most.value_or(value), value);
+    };
+    keepMost(judgement.outside, outside - *atFirst);
+    keepMost(judgement.depth, row.tissue - std::min(left.z(), right.z()));
+    keepMost(judgement.contact, bounds.separation - (left - right).norm());
+  }
+}
+
 }  // namespace
 
-KnotJudgement judgeKnot(const std::vector<KnotRow>& rows, const Vector3d& target) {
+KnotJudgement judgeKnot(const std::vector<KnotRow>& rows, const Vector3d& target,
+                        const std::optional<KnotBounds>& bounds) {
   KnotJudgement judgement;
+  if (bounds) judgeBounds(rows, target, *bounds, judgement);
   judgeEnd(rows, target, judgement);
   judgeGuided(rows, target, judgement);
   return judgement;
@@ -109,6 +142,14 @@ std::vector<std::string> violations(const KnotJudgement& judgement) {
         sentence("the cameras saw the knot %.2f mm from the truth at p99, at most %.2f mm allowed",
                  1e3 * judgement.sighting_error, 1e3 * kFarthest));
   }
+  const auto require = [&](const std::optional<double>& outside, const char* format) {
+    if (!outside || *outside <= kFarthestOutside) return;
+    found.push_back(sentence(format, 1e3 * *outside, 1e3 * kFarthestOutside));
+  };
+  require(judgement.outside,
+          "the knot was %.2f mm outside of its corridor, at most %.2f mm allowed");
+  require(judgement.depth, "a tip was %.2f mm deep in the tissue, at most %.2f mm allowed");
+  require(judgement.contact, "the tips were %.2f mm too near, at most %.2f mm allowed");
   return found;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "tables/paper_table.h"
 
@@ -15,6 +16,8 @@ using nlohmann::json;
 json toJson(const robots::ErrorSummary& error) {
   return {{"p50", error.p50}, {"p99", error.p99}, {"max", error.max}, {"mean", error.mean}};
 }
+
+json toJson(const std::optional<double>& figure) { return figure ? json(*figure) : json(); }
 
 json toJson(const ArmFigures& arm) {
   json out = {{"name", arm.name}, {"task", suture::toJson(arm.task)}};
@@ -60,10 +63,9 @@ void writeResult(const std::filesystem::path& file, const Options& options, cons
     out["programs"].push_back({{"name", one.name}, {"sha256", one.sha256}});
   }
   for (const HeldSlave& slave : verdict.held) {
-    const auto& resumed = slave.judgement.resumed_after;
     out["held"].push_back({{"name", slave.name},
                            {"held_after", slave.judgement.held_after},
-                           {"resumed_after", resumed ? json(*resumed) : json()},
+                           {"resumed_after", toJson(slave.judgement.resumed_after)},
                            {"largest_jump", slave.judgement.jumps.largest},
                            {"largest_turn", slave.judgement.jumps.largest_turn}});
   }
@@ -73,6 +75,9 @@ void writeResult(const std::filesystem::path& file, const Options& options, cons
                    {"guided_at_end", verdict.knot->guided_at_end},
                    {"sighted", verdict.knot->sighted},
                    {"sighting_error", verdict.knot->sighting_error},
+                   {"outside", toJson(verdict.knot->outside)},
+                   {"depth", toJson(verdict.knot->depth)},
+                   {"contact", toJson(verdict.knot->contact)},
                    {"rows", verdict.knot->rows}};
   }
   for (const auto& one : verdict.connections) out["connections"].push_back(suture::toJson(one));

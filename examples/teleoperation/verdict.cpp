@@ -166,12 +166,20 @@ Check checkJumps(const std::vector<const SlaveWatch*>& slaves, std::vector<ArmFi
                             counted(slaves.size(), "slave"), 1e3 * astray)};
 }
 
+/// Returns how well the fixtures kept knot and tips, as the end of a sentence; "" if they were off.
+std::string withinFixtures(const robots::KnotJudgement& judgement) {
+  if (!judgement.outside) return "";
+  return fmt::format(", and it left its corridor by {:.2f} mm at most",
+                     1e3 * std::max(*judgement.outside, 0.0));
+}
+
 /// Judges the placing of the knot from its recording; fills its figures.
 Check checkKnot(const KnotPlacing& placing, std::optional<robots::KnotJudgement>& figures) {
   std::uint64_t lost = 0;
   try {
     const robots::KnotRecording recording = robots::readKnotRecording(placing.recording);
-    figures = robots::judgeKnot(recording.rows, placing.target);
+    figures = robots::judgeKnot(recording.rows, placing.target,
+                                placing.isBounded ? std::optional(placing.bounds) : std::nullopt);
     lost = recording.lost;
   } catch (const suture::SetupError& error) {
     return {false, error.what()};
@@ -180,9 +188,9 @@ Check checkKnot(const KnotPlacing& placing, std::optional<robots::KnotJudgement>
   if (!violations.empty()) return {false, fmt::format("{}", fmt::join(violations, "; "))};
   return {true, fmt::format("the knot came from {:.1f} to {:.2f} mm from its target; while it was "
                             "guided, the cameras saw it {:.0f} % of the time, within {:.2f} mm at "
-                            "p99",
+                            "p99{}",
                             1e3 * figures->start, 1e3 * figures->error, 1e2 * figures->sighted,
-                            1e3 * figures->sighting_error)};
+                            1e3 * figures->sighting_error, withinFixtures(*figures))};
 }
 
 /// These words say what happened: "with vision cut off", and when it was over: "that was mended".

@@ -88,12 +88,12 @@ class View {
 /// Draws rings about the line of approach, as wide as the knot may be off there.
 void drawCorridor(View& view, const KnotPlacing& placing) {
   constexpr int kRings = 6, kCorners = 36;
-  const Vector3d approach = placing.approach.normalized();
+  const Vector3d approach = placing.bounds.approach.normalized();
   const Vector3d across = approach.unitOrthogonal(), other = approach.cross(across);
   view.line(placing.target - kShownCorridor * approach, placing.target, kBlue);
   for (int ring = 0; ring < kRings; ++ring) {
     const double before = kShownCorridor * ring / (kRings - 1);
-    const double radius = placing.radius + placing.slope * before;
+    const double radius = placing.bounds.radius + placing.bounds.slope * before;
     const auto corner = [&](int i) -> Vector3d {
       const double angle = 2 * std::numbers::pi * i / kCorners;
       return placing.target - before * approach +

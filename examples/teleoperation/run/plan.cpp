@@ -302,8 +302,11 @@ void Plan::findKnot(const std::filesystem::path& folder) {
   const ComponentEntry* const recorder = componentOfClass("KnotRecorder");
   if (guide == nullptr || recorder == nullptr) return;
   knot_ = {folder / parameterOf<std::string>(*recorder, "file"), vectorOf(*guide, "target"),
-           vectorOf(*guide, "approach"), parameterOf<double>(*guide, "radius"),
-           parameterOf<double>(*guide, "slope")};
+           robots::KnotBounds{.approach = vectorOf(*guide, "approach"),
+                              .radius = parameterOf<double>(*guide, "radius"),
+                              .slope = parameterOf<double>(*guide, "slope"),
+                              .separation = parameterOf<double>(*guide, "separation")},
+           parameterOf<bool>(*guide, "fixtures")};
 }
 
 const ComponentEntry* Plan::componentOfClass(const std::string& name) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "recorder/judge.h"
+#include "recorder/knot_judge.h"
 #include "run/moment.h"
 #include "run/network.h"
 #include "run/real_time_turn.h"
@@ -58,9 +59,9 @@ struct RecordedSlave {
 /// scene.
 struct KnotPlacing {
   std::filesystem::path recording;
-  Eigen::Vector3d target, approach;  ///< m; a direction
-  double radius, slope;  ///< of the corridor: its radius in m at the target, and by how much it
-                         ///< widens before that
+  Eigen::Vector3d target;     ///< m
+  robots::KnotBounds bounds;  ///< by the parameters of the guide
+  bool isBounded;             ///< the guide's fixtures are on
 };
 
 /// A Plan is the topology's deployment file with the run's rate, lane, stop, manager and keys,

@@ -8,8 +8,11 @@
 #include <gtest/gtest.h>
 #include <suture/base/time.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -115,6 +118,71 @@ TEST(KnotJudge, SeesAKnotUnguidedAtTheEnd) {
 
 TEST(KnotJudge, ToleratesAGuideThatEndsFirst) {
   EXPECT_EQ(violations(judgedKnot({.guidedTo = 5.9})), Sentences{});
+}
+
+/// Judges a knot that was placed, if each row is changed by `change`. Its tips are 50 mm above the
+/// tissue, and 60 mm apart.
+KnotJudgement judgedWithin(const std::function<void(KnotRow&)>& change) {
+  std::vector<KnotRow> rows;
+  for (int number = 0; number < kKnotRows; ++number) {
+    KnotRow& row = rows.emplace_back(knotRow({}, number));
+    row.tissue = -0.16;
+    row.strand.nodes.leftCols<1>() = Vector3d(-0.03, 0, -0.11);
+    row.strand.nodes.rightCols<1>() = Vector3d(0.03, 0, -0.11);
+    change(row);
+  }
+  return judgeKnot(rows, kKnotTarget,
+                   KnotBounds{.radius = 0.0003, .slope = 0.3, .separation = 0.01});
+}
+
+Sentences wrongWithin(const std::function<void(KnotRow&)>& change) {
+  return violations(judgedWithin(change));
+}
+
+/// Is one moment in the middle of the way.
+bool isMidway(const KnotRow& row) { return row.strand.stamp == knotTime(2); }
+
+TEST(KnotJudge, FindsNothingWhereTheFixturesLetKnotAndTips) {
+  EXPECT_EQ(wrongWithin([](KnotRow&) {}), Sentences{});
+  EXPECT_EQ(wrongWithin([](KnotRow& row) {
+              if (isMidway(row)) row.strand.nodes(0, Strand::kKnot) += 0.005;
+            }),
+            Sentences{})
+      << "15 mm before the target the corridor is that wide";
+}
+
+TEST(KnotJudge, SeesAKnotThatLeavesItsCorridorForAMoment) {
+  EXPECT_EQ(wrongWithin([](KnotRow& row) {
+              if (isMidway(row)) row.strand.nodes(0, Strand::kKnot) += 0.01;
+            }),
+            Sentences{"the knot was 4.80 mm outside of its corridor, at most 2.00 mm allowed"});
+}
+
+TEST(KnotJudge, SeesAKnotThatPassesItsTarget) {
+  EXPECT_EQ(wrongWithin([](KnotRow& row) {
+              if (isMidway(row)) row.strand.nodes(2, Strand::kKnot) = kKnotTarget.z() - 0.003;
+            }),
+            Sentences{"the knot was 3.00 mm outside of its corridor, at most 2.00 mm allowed"});
+}
+
+/// Fixtures move nothing back, but let it go no farther out.
+TEST(KnotJudge, ExcusesAKnotThatBeganOutside) {
+  const KnotJudgement judgement = judgedWithin([](KnotRow& row) {
+    const double left = 1 - (row.strand.stamp - knotTime(0)) / std::chrono::duration<double>(2);
+    row.strand.nodes(0, Strand::kKnot) += std::max(left, 0.0) * 0.018;
+  });
+  EXPECT_EQ(*judgement.outside, 0);
+}
+
+TEST(KnotJudge, SeesATipInTheTissueAndTipsThatTouch) {
+  EXPECT_EQ(wrongWithin([](KnotRow& row) {
+              if (isMidway(row)) row.strand.nodes(2, Strand::kNodes - 1) = -0.165;
+            }),
+            Sentences{"a tip was 5.00 mm deep in the tissue, at most 2.00 mm allowed"});
+  EXPECT_EQ(wrongWithin([](KnotRow& row) {
+              if (isMidway(row)) row.strand.nodes(0, Strand::kNodes - 1) = -0.029;
+            }),
+            Sentences{"the tips were 9.00 mm too near, at most 2.00 mm allowed"});
 }
 
 TEST(KnotJudge, CountsFromWhenGuidingBegan) {
