@@ -26,8 +26,8 @@ void FollowingWatch::readRest() {
 }
 
 robots::Judgement FollowingWatch::finish(suture::Time end, std::vector<robots::Span> excused) {
-  const auto clutched = robots::clutched(clutch_, end);
-  excused.insert(excused.end(), clutched.begin(), clutched.end());
+  const auto pressed = clutched(end);
+  excused.insert(excused.end(), pressed.begin(), pressed.end());
   return judge_.finish({end, std::move(excused)});
 }
 

@@ -28,6 +28,10 @@ class FollowingWatch {
   const SlaveWatch& slave() const { return slave_; }
   /// Returns how many records are not in the files.
   std::uint64_t lost() const { return lost_; }
+  /// Returns when the clutch was pressed in a run that ended then.
+  std::vector<robots::Span> clutched(suture::Time end) const {
+    return robots::clutched(clutch_, end);
+  }
   /// Judges the whole run, after readRest(). `excused` is when the slave need not follow, beside
   /// the time in which the clutch was pressed.
   robots::Judgement finish(suture::Time end, std::vector<robots::Span> excused);

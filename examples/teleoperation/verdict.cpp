@@ -242,6 +242,46 @@ Check checkStopped(const RecordedSlave& slave, suture::Duration permit,
   }
 }
 
+/// Is how much later than a teleoperation its recorder may hear that the clutch was released, so
+/// that the slave moves again before.
+constexpr suture::Duration kLateNews = std::chrono::milliseconds(500);
+/// A shorter press may be no more than a moment without news of the pedals.
+constexpr suture::Duration kShortestPress = 2 * kLateNews;
+constexpr suture::Duration kFollowsAgain = std::chrono::seconds(3);
+
+/// Judges that a slave held while the clutch was pressed, and went on from there.
+Check checkClutched(const std::string& slave, const std::filesystem::path& recorded,
+                    const robots::Span& pressed, std::vector<HeldSlave>& held) {
+  const std::string subject = slave + ", with the clutch pressed";
+  try {
+    const robots::Recording recording = robots::readRecording(recorded);
+    const robots::HoldJudgement judgement =
+        robots::judgeHold(recording.arm, pressed.begin, pressed.end - kLateNews);
+    held.push_back({slave, judgement});
+    const auto violations = withLost(robots::violations(judgement), recording.lost);
+    if (!violations.empty()) {
+      return {false, fmt::format("{}: {}", subject, fmt::join(violations, "; "))};
+    }
+  } catch (const suture::SetupError& error) {
+    return {false, subject + ": " + error.what()};
+  }
+  return {true, fmt::format("{} for {:.0f} ms, held, and went on from there without a jump",
+                            subject, 1e3 * robots::secondsBetween(pressed.begin, pressed.end))};
+}
+
+/// Judges each slave while the clutch was pressed, if it had time to follow again.
+void checkClutches(const std::vector<FollowingWatch>& watches, suture::Time end, Verdict& verdict) {
+  for (const FollowingWatch& watch : watches) {
+    for (const robots::Span& pressed : watch.clutched(end)) {
+      if (pressed.end - pressed.begin < kShortestPress || pressed.end + kFollowsAgain > end) {
+        continue;
+      }
+      verdict.checks.push_back(checkClutched(
+          watch.following().slave, watch.following().slaveRecording, pressed, verdict.held));
+    }
+  }
+}
+
 }  // namespace
 
 bool Verdict::passed() const {
@@ -269,6 +309,7 @@ Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const Cre
   }
   if (!slaves.empty()) verdict.checks.push_back(checkJumps(slaves, verdict.arms));
   if (plan.knot()) verdict.checks.push_back(checkKnot(*plan.knot(), verdict.knot));
+  checkClutches(watches.followings, result.ended, verdict);
   if (plan.stop() && !result.interrupted) {
     for (const RecordedSlave& slave : plan.slaves()) {
       verdict.checks.push_back(checkStopped(slave, plan.permit(), verdict.held));

@@ -12,6 +12,7 @@
 #include "drives/mtm_drives.suture.h"
 #include "drives/psm_drives.suture.h"
 #include "guidance/knot_guide.suture.h"
+#include "pedals/scripted_pedals.suture.h"
 #include "person/gamepad.suture.h"
 #include "person/keyboard.suture.h"
 #include "recorder/knot_recorder.suture.h"
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
       suture::componentClass<robots::PsmDrives>(),
       suture::componentClass<robots::Teleop>(),
       suture::componentClass<robots::Surgeon>(),
+      suture::componentClass<robots::ScriptedPedals>(),
       suture::componentClass<robots::Gamepad>(),
       suture::componentClass<robots::Keyboard>(),
       suture::componentClass<robots::Recorder>(),

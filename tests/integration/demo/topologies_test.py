@@ -59,7 +59,7 @@ class Topologies(unittest.TestCase):
         status, output, errors = refusal_of("fig3d")
         self.assertEqual((status, output), (1, ""))
         self.assertIn("finding topology 'fig3d': ", errors)
-        self.assertIn("has 'fig3a', 'fig3b', 'fig3b_tasks', 'fig3c' and 'single'. Name one of them, or a deployment file", errors)
+        self.assertIn("has 'fig3a', 'fig3a_clutch', 'fig3b', 'fig3b_tasks', 'fig3c' and 'single'. Name one of them, or a deployment file", errors)
 
     def test_what_differs_is_told_by_the_files(self):
         def compared(first, second):
