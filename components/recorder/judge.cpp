@@ -139,8 +139,10 @@ void Judge::judge(const ArmRow& row) {
 
 void Judge::follow(const ArmRow& row, const Pose& measured) {
   moveExpected(row.stamp);
-  position_.push_back((measured.p - expected_->p).norm());
-  orientation_.push_back(measured.q.angularDistance(expected_->q));
+  const double error = (measured.p - expected_->p).norm();
+  position_.add(error);
+  recent_.add(error);
+  orientation_.add(measured.q.angularDistance(expected_->q));
   const Acting& target = targets_.front();
   const double acted = secondsBetween(target.since, row.stamp);
   if (!target.isNew || acted <= 0) return;
@@ -181,8 +183,8 @@ void Judge::compareAtEqualTime(const ArmRow& row, const Pose& measured, double l
              after = masterAt(row.stamp + kHalfBase);
   if (!before || !now || !after) return;
   const Vector3d way = law(anchors, *after).p - law(anchors, *before).p;
-  equalTime_.push_back((measured.p - law(anchors, *now).p).norm());
-  speedTimesLatency_.push_back(way.norm() / inSeconds(2 * kHalfBase) * latency);
+  equalTime_.add((measured.p - law(anchors, *now).p).norm());
+  speedTimesLatency_.add(way.norm() / inSeconds(2 * kHalfBase) * latency);
 }
 
 void Judge::retarget(const ArmRow& row) {
@@ -198,22 +200,21 @@ void Judge::retarget(const ArmRow& row) {
 }
 
 std::optional<ErrorSummary> Judge::recentPosition() {
-  const auto from = position_.begin() + static_cast<std::ptrdiff_t>(reported_);
-  reported_ = position_.size();
-  if (from == position_.end()) return std::nullopt;
-  return summarise({from, position_.end()});
+  const ErrorHistogram recent = std::exchange(recent_, {});
+  if (recent.count() == 0) return std::nullopt;
+  return recent.summary();
 }
 
 Judgement Judge::finish(const Duty& duty) {
   for (const ArmRow& row : waiting_) judge(row);
   waiting_.clear();
-  return {.position = summarise(position_),
-          .orientation = summarise(orientation_),
-          .equal_time = summarise(equalTime_),
-          .speed_times_latency = summarise(speedTimesLatency_).mean,
+  return {.position = position_.summary(),
+          .orientation = orientation_.summary(),
+          .equal_time = equalTime_.summary(),
+          .speed_times_latency = speedTimesLatency_.summary().mean,
           .travel = travel_,
           .followed = followedTime_.until(duty.end.value_or(recordedUntil_), duty.excused),
-          .compared = position_.size(),
+          .compared = position_.count(),
           .unmatched = unmatched_};
 }
 

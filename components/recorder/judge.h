@@ -39,14 +39,14 @@ struct DeclaredLag {
   double delay = 0;
 };
 
-/// Judges a slave while it is recorded. Rows must come by ascending stamp, all on one clock. From
-/// the first announcement of the teleoperation on, the law x_s = x_s0 + s V (x_m - x_m0), R_s = V
-/// R_m (V R_m0)^T R_s0, without what is locked, gives the target of each slave cycle from the
-/// recorded master at the stamp of the set-point. A first-order filter in Cartesian space with the
-/// declared lag gives where the slave should be. Rate limits are not modelled: a slave that met one
-/// is late, and that is visible. While a slave is not enabled the law asks for nothing, until
-/// following begins anew. The comparison at equal time is made only while goals arrive, because a
-/// slave that is held has no latency.
+/// Judges a slave while it is recorded, in memory that does not grow with its cycles. Rows must
+/// come by ascending stamp, all on one clock. From the first announcement of the teleoperation on,
+/// the law x_s = x_s0 + s V (x_m - x_m0), R_s = V R_m (V R_m0)^T R_s0, without what is locked,
+/// gives the target of each slave cycle from the recorded master at the stamp of the set-point. A
+/// first-order filter in Cartesian space with the declared lag gives where the slave should be.
+/// Rate limits are not modelled: a slave that met one is late, and that is visible. While a slave
+/// is not enabled the law asks for nothing, until following begins anew. The comparison at equal
+/// time is made only while goals arrive, because a slave that is held has no latency.
 ///
 /// A slave follows while it is enabled and gets new goals, however old their data are. One that
 /// gets none has to stay where its last goal was, so its error says nothing of that.
@@ -112,9 +112,10 @@ class Judge {
   bool wasEnabled_ = true;
   std::optional<Eigen::Vector3d> start_;
   double travel_ = 0;
-  std::size_t unmatched_ = 0, reported_ = 0;
-  std::vector<double> position_, orientation_;         // one error a cycle, m and rad
-  std::vector<double> equalTime_, speedTimesLatency_;  // m, one each after a new target
+  std::size_t unmatched_ = 0;
+  ErrorHistogram position_, orientation_;         // one error a cycle, m and rad
+  ErrorHistogram recent_;                         // of position_, those not reported yet
+  ErrorHistogram equalTime_, speedTimesLatency_;  // m, one each after a new target
 };
 
 /// Judges a whole run at once.
