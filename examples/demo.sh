@@ -19,7 +19,7 @@ at 1 kHz, and the run is judged. Exit status 0 only if all went well.
   --break PROCESS@TIME           cut a process off during the run, vision@4s or vision@4s+1500ms: its cable is pulled, or without
                                  namespaces it is frozen. The arms that depend on it have to hold, and not to jump
   --stop TIME                    press the emergency stop during the run, 6s or 6s+1500ms; both slaves have to hold, and not to jump
-  --seconds N                    how long to run (default 10)
+  --seconds N                    how long to run (default 10); with four arms it records 2.5 MB a second below TMPDIR
   --rate HZ                      cycles of teleoperations a second (default 1000). Arms and their drives run 1.5 times as often;
                                  cameras and what looks at their images keep their periods, and connections keep their max_age
   --dynamics Lag|RigidBody       what the drives simulate: joints without mass (as in the files), or bodies that have mass

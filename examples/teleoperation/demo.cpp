@@ -4,6 +4,7 @@
 #include <suture/lane/lane.h>
 #include <suture/lane/lanes.h>
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
@@ -24,6 +25,7 @@
 #include "run/break.h"
 #include "run/plan.h"
 #include "run/processes.h"
+#include "run/space.h"
 #include "run/topologies.h"
 #include "tables/comparison.h"
 #include "tables/screen.h"
@@ -108,7 +110,10 @@ void declare(CLI::App& app, demo::Options& options) {
          "released after one second)")
       ->type_name("TIME")
       ->excludes("--break");
-  app.add_option("--seconds", options.seconds, "How long to run")
+  app.add_option("--seconds", options.seconds,
+                 fmt::format("How long to run. Until it is judged, a run is recorded in a folder "
+                             "below TMPDIR: about {:g} MB a second with four arms at 1000 Hz",
+                             demo::kUsualRecording))
       ->capture_default_str()
       ->check(CLI::Range(1.0, 86400.0));
   app.add_option(
@@ -166,6 +171,7 @@ int run(const demo::Options& options, const demo::Topologies& topologies) {
   demo::Plan plan(options, network, topologies.find(options.topology), folder.path());
   if (!options.picture.empty()) demo::requireKnot(plan);
   const suture::Duration length = demo::lengthOf(options);
+  demo::requireSpace(plan, length, folder.path());
   const auto cutOff = demo::parseBreak(options.cutOff, plan, network, length);
   demo::Watches watches(plan);
   demo::Crew crew(plan, network, cutOff, programs(), folder.path());

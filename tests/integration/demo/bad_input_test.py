@@ -189,6 +189,17 @@ class Demo(unittest.TestCase):
             self.assertIn(f"make a folder for what this run records: {found}", process.stderr)
             self.assertIn(". Let TMPDIR name a folder where this user may write", process.stderr)
 
+    def test_too_little_space_for_a_long_run(self):
+        with tempfile.TemporaryDirectory(dir="/dev/shm") as folder:  # which is as large as some of the memory
+            process = subprocess.run(
+                [PROGRAMS / "suture-demo", "--topology", "single", "--seconds", "86400", "--rate", "10000"],
+                capture_output=True, text=True, timeout=60, env={**os.environ, "TMPDIR": folder})
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
+        self.assertEqual(process.returncode, 1)
+        self.assertRegex(process.stderr, rf"recording this run in {folder}/suture-demo-\w+: it takes 2\d{{3}}\.\d GB, and only "
+                                         r"\d+\.\d GB are free there. Let TMPDIR name a folder on a larger disk")
+        self.assertEqual(process.stdout, "", "it is refused before the run")
+
     def test_too_few_descriptors_for_a_process(self):
         """One is left beside that for signals, so that files can be read but nothing can be started."""
         process = subprocess.run(["sh", "-c", f"ulimit -n 5; exec {PROGRAMS}/suture-demo --topology single --seconds 1"],
