@@ -11,7 +11,8 @@ namespace robots {
 struct SUTURE_TYPE() PedalState {
   /// If it is true, masters move without their slaves.
   bool clutch = false;
-  /// If it is true, masters move the camera instead of their slaves.
+  /// If it is true, masters move the camera instead of their slaves. The components here simulate
+  /// no camera that masters move: slaves only hold.
   bool camera = false;
   /// If it is true, energy is applied to the tissue.
   bool coagulation = false;
