@@ -15,8 +15,8 @@ struct Jumps {
   double largest_turn = 0;
 };
 
-/// Is told of the set-points of one arm, one after the other. A jump may come in pieces, so each is
-/// compared with the earlier ones of the last 50 ms.
+/// A JumpWatch is told of the set-points of one arm, one after the other. A jump may come in
+/// pieces, so each is compared with the earlier ones of the last 50 ms.
 class JumpWatch {
  public:
   /// `seconds` is for how long the arm may have moved since the set-point before.

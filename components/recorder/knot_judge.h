@@ -11,7 +11,8 @@
 
 namespace robots {
 
-/// Is what a guide with fixtures keeps the knot and the tips in; in the frame of the scene.
+/// These bounds are in the frame of the scene, and a guide with fixtures keeps the knot and the
+/// tips within them.
 struct KnotBounds {
   Eigen::Vector3d approach{0, 0, -1};  ///< the direction in which the knot comes to its target
   double radius = 0;                   ///< m: of the corridor about that at the target
@@ -26,7 +27,7 @@ struct KnotJudgement {
   double sighted = 0;         ///< share of the guided rows with a valid sighting
   double sighting_error = 0;  ///< m, p99: a sighting against the truth at its stamp
   std::size_t rows = 0;       ///< guided ones
-  /// Are in m, of all guided rows: how far the knot was outside of the corridor or beyond the
+  /// These are in m, of all guided rows: how far the knot was outside of the corridor or beyond the
   /// target, less how far it was when guiding began; how deep a tip was in the tissue; and by how
   /// much the tips were nearer to each other than they may be. Below zero there was room.
   std::optional<double> outside, depth, contact;

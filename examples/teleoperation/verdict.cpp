@@ -242,8 +242,8 @@ Check checkStopped(const RecordedSlave& slave, suture::Duration permit,
   }
 }
 
-/// Is how much later than a teleoperation its recorder may hear that the clutch was released, so
-/// that the slave moves again before.
+/// A recorder may hear so much later than the teleoperation that the clutch was released, so that
+/// the slave moves again before.
 constexpr suture::Duration kLateNews = std::chrono::milliseconds(500);
 /// A shorter press may be no more than a moment without news of the pedals.
 constexpr suture::Duration kShortestPress = 2 * kLateNews;

@@ -24,8 +24,8 @@ struct ArmFigures {
   std::optional<robots::JumpJudgement> jumps;  ///< of each slave that was recorded
 };
 
-/// A HeldSlave is a slave that had to hold, while a process was cut off, or the emergency stop or the clutch
-/// was pressed.
+/// A HeldSlave is a slave that had to hold, while a process was cut off, or the emergency stop or
+/// the clutch was pressed.
 struct HeldSlave {
   std::string name;
   robots::HoldJudgement judgement;

@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(EachLane, Unknown,
                                          LaneRow{"rpc", rpc::ProxyPort::kWindow}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST_P(Unknown, IsBoundedByWhatWasOnItsWay) {
+TEST_P(Unknown, IsBoundedByWhatWasSent) {
   ASSERT_EQ(robot_->line(), "ready");
   console_.add("Sender", sender_);
   console_.start();

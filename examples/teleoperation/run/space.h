@@ -7,7 +7,7 @@
 
 namespace demo {
 
-/// Is about what four arms record at the rates of the topologies' files, in MB a second.
+/// This is about what four arms record at the rates of the topologies' files, in MB a second.
 constexpr double kUsualRecording = 2.5;
 
 /// Throws suture::SetupError if what the recorders of this plan write in a run of that length does

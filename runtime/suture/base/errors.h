@@ -39,7 +39,7 @@ enum class Errc : std::uint8_t {
   NotPermitted,      ///< the provider's policy lets this process read but not command; not executed
 };
 
-/// Is the error of the largest number.
+/// No error has a larger number.
 inline constexpr Errc kLastErrc = Errc::NotPermitted;
 
 /// Any thread. Returns the error that another process tells by its number; 0 stands for none. A

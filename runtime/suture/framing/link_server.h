@@ -17,7 +17,7 @@ struct Caller {
   PeerIdentity identity;
   std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports
   std::shared_ptr<PeerBudget> budget;            ///< of the server, for unfinished messages
-  /// Is set by the code that serves the peer, once the peer has said what it wants. A link on which
+  /// The code that serves the peer sets this, once the peer has said what it wants. A link on which
   /// this stays false is closed after StreamLimits::helloMilliseconds.
   bool known = false;
 

@@ -14,8 +14,8 @@ namespace suture::rpc {
 /// how much by a share.
 class PeerBudget {
  public:
-  /// Are in bytes. All links with the same proof of who the peer is count as one peer, so all peers
-  /// by plain TCP share one budget.
+  /// Limits are in bytes. All links with the same proof of who the peer is count as one peer, so
+  /// all peers by plain TCP share one budget.
   struct Limits {
     std::size_t peer;
     std::size_t process;

@@ -46,9 +46,9 @@ bool isOtherThanASocket(const Address& address) {
                        : "Choose another address or port.");
 }
 
-/// Is held from before a Unix socket is bound until it listens, because in between it looks like
-/// one that a dead process left behind. The kernel takes it from a process that dies; the file that
-/// stays then is in nobody's way.
+/// A BindLock is held from before a Unix socket is bound until it listens, because in between it
+/// looks like one that a dead process left behind. The kernel takes it from a process that dies;
+/// the file that stays then is in nobody's way.
 class BindLock {
  public:
   explicit BindLock(const Address& address) {

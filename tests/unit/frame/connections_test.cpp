@@ -172,7 +172,7 @@ class Caller : public reference::PlayedClient {
   }
 
  private:
-  /// Is told by the robot.
+  /// The robot tells it.
   struct Hearer final : wire::Notices::Server {
     explicit Hearer(std::string& refused) : why(refused) {}
     kj::Promise<void> refused(RefusedContext context) override {
@@ -298,7 +298,7 @@ TEST_F(FrameConnections, OfAPeerTakeFromOneBudget) {
   EXPECT_EQ(first.refused(), "");
 }
 
-TEST_F(FrameConnections, OfWhichAFrameMakesNoSenseAreToldSo) {
+TEST_F(FrameConnections, ASenselessFrameIsTold) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager());
   caller.greet();

@@ -75,7 +75,7 @@ TEST(Surplus, IsBoundedForTheWholeLink) {
   EXPECT_LT(room, static_cast<int>(Surplus::kMost / kMostPayload) + 10);
 }
 
-/// Has what one peer, or the whole process, may hold.
+/// Returns a budget of what one peer, or the whole process, may hold.
 std::shared_ptr<rpc::PeerBudget> budgetOf(std::size_t peer, std::size_t process) {
   return std::make_shared<rpc::PeerBudget>(rpc::PeerBudget::Limits{peer, process});
 }

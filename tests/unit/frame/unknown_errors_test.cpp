@@ -9,7 +9,7 @@
 namespace suture::frame {
 namespace {
 
-TEST(FrameErrors, ThatAreNotKnownLeaveTheOutcomeOpen) {
+TEST(FrameErrors, LeaveTheOutcomeOpen) {
   const auto near = reference::armChannel(reference::playedEnds(), "frame");
   const auto far = reference::armChannel(reference::playedEnds(), "frame");
   JoinedLinks links;

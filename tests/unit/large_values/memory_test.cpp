@@ -64,7 +64,7 @@ class MemoryOfConnectionsBy : public testing::TestWithParam<Lane> {
 INSTANTIATE_TEST_SUITE_P(EachLane, MemoryOfConnectionsBy,
                          testing::Values(Lane::Shm, Lane::Frame, kEncoded, Lane::Rpc), nameOf);
 
-TEST_P(MemoryOfConnectionsBy, IsRefusedBeyondTheShareOfThePeer) {
+TEST_P(MemoryOfConnectionsBy, IsRefusedBeyondThePeersShare) {
   connect("Visitor/Gallery", "museum:Wall/Gallery");
   const std::string refused =
       suture::refusal([this] { connect("Decorator/Hall", "museum:Castle/Hall"); });

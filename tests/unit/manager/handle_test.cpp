@@ -166,7 +166,7 @@ TEST_P(Handles, MayOutliveTheManager) {
   EXPECT_TRUE(handle.on().mode([](const reference::Mode&) {}));
 }
 
-/// Has an arm in one process, and its handles in another.
+/// An arm is in one process, and its handles are in another.
 struct FreshHandles : testing::Test {
   FreshHandles() {
     both.there.add("PSM", psm);

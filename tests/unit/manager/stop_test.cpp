@@ -255,7 +255,7 @@ class SlowLane final : public LaneKind {
 
 // What the control thread holds can end nowhere else, so a manager that went on would leave it
 // dangling.
-TEST(StopOfABusyProcess, WaitsForItsControlThreadAndSaysSo) {
+TEST(StopOfABusyProcess, WaitsForItsControlThread) {
   OccupiedArm arm;
   StopConsole client;
   LongHandler making;

@@ -16,7 +16,7 @@ TEST(ErrorHistogram, HasNoErrorsAtFirst) {
   EXPECT_EQ(summary.max, 0);
 }
 
-TEST(ErrorHistogram, IsAtMostOnePercentAboveTheQuantilesOfAllErrors) {
+TEST(ErrorHistogram, QuantilesAreWithinOnePercent) {
   std::mt19937 random(3);
   std::lognormal_distribution<double> distribution(-9, 2);
   ErrorHistogram histogram;

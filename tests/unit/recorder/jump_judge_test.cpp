@@ -52,7 +52,7 @@ TEST(JumpJudge, AcceptsAnArmThatFollowsAHand) {
   EXPECT_EQ(violationsOf(armThatFollows([](ArmRow&) {})), Sentences{});
 }
 
-TEST(JumpJudge, FindsASlaveThatJumpsForEightyMilliseconds) {
+TEST(JumpJudge, FindsAJumpOfEightyMilliseconds) {
   EXPECT_EQ(violationsOf(armThatFollows([](ArmRow& row) {
               if (!isIn(row, suture::Time{5s}, 80ms)) return;
               row.setpoint.translation().y() = row.measured.translation().y() = 0.02;
@@ -60,7 +60,7 @@ TEST(JumpJudge, FindsASlaveThatJumpsForEightyMilliseconds) {
             Sentences{"its set-point jumped by 19.8 mm, at most 3.0 mm allowed"});
 }
 
-TEST(JumpJudge, FindsDrivesThatLeaveThePathOfTheirSetpoints) {
+TEST(JumpJudge, FindsDrivesThatLeaveTheirSetpoints) {
   EXPECT_EQ(violationsOf(armThatFollows([](ArmRow& row) {
               if (isIn(row, suture::Time{5s}, 80ms)) row.measured.translation().y() = 0.02;
             })),
@@ -77,7 +77,7 @@ TEST(JumpJudge, FindsASlaveThatTurnsAtOnce) {
 }
 
 /// The goals of a stream that comes again are no reason for a jump after a rest.
-TEST(JumpJudge, FindsASlaveThatCatchesUpAfterARest) {
+TEST(JumpJudge, FindsASlaveThatCatchesUp) {
   const suture::Time begin{5s};
   EXPECT_EQ(violationsOf(armThatFollows([&](ArmRow& row) {
               if (!isIn(row, begin, 1s)) return;
@@ -97,7 +97,7 @@ TEST(JumpJudge, ExcusesAnArmThatIsNotEnabled) {
             Sentences{});
 }
 
-TEST(JumpJudge, FindsAnArmThatJumpsWhenItIsEnabled) {
+TEST(JumpJudge, FindsAJumpWhenEnabled) {
   EXPECT_EQ(violationsOf(armThatFollows([](ArmRow& row) {
               row.enabled = row.stamp >= suture::Time{4s};
               if (row.enabled) row.setpoint.translation().y() = 0.004;

@@ -139,10 +139,10 @@ Sentences wrongWithin(const std::function<void(KnotRow&)>& change) {
   return violations(judgedWithin(change));
 }
 
-/// Is one moment in the middle of the way.
+/// Returns true for one moment in the middle of the way.
 bool isMidway(const KnotRow& row) { return row.strand.stamp == knotTime(2); }
 
-TEST(KnotJudge, FindsNothingWhereTheFixturesLetKnotAndTips) {
+TEST(KnotJudge, AcceptsWhatTheFixturesPermit) {
   EXPECT_EQ(wrongWithin([](KnotRow&) {}), Sentences{});
   EXPECT_EQ(wrongWithin([](KnotRow& row) {
               if (isMidway(row)) row.strand.nodes(0, Strand::kKnot) += 0.005;
@@ -151,7 +151,7 @@ TEST(KnotJudge, FindsNothingWhereTheFixturesLetKnotAndTips) {
       << "15 mm before the target the corridor is that wide";
 }
 
-TEST(KnotJudge, SeesAKnotThatLeavesItsCorridorForAMoment) {
+TEST(KnotJudge, FindsAKnotThatLeavesItsCorridor) {
   EXPECT_EQ(wrongWithin([](KnotRow& row) {
               if (isMidway(row)) row.strand.nodes(0, Strand::kKnot) += 0.01;
             }),
@@ -174,7 +174,7 @@ TEST(KnotJudge, ExcusesAKnotThatBeganOutside) {
   EXPECT_EQ(*judgement.outside, 0);
 }
 
-TEST(KnotJudge, SeesATipInTheTissueAndTipsThatTouch) {
+TEST(KnotJudge, FindsTipsThatTouch) {
   EXPECT_EQ(wrongWithin([](KnotRow& row) {
               if (isMidway(row)) row.strand.nodes(2, Strand::kNodes - 1) = -0.165;
             }),

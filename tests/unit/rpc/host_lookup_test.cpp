@@ -40,7 +40,7 @@ extern "C" int getaddrinfo(const char* host, const char* service, const addrinfo
 namespace suture::rpc {
 namespace {
 
-/// Has the calling thread one processor, and another policy than an ordinary thread.
+/// Gives the calling thread one processor, and another policy than an ordinary thread.
 void leaveOrdinary(const cpu_set_t& processors) {
   int last = 0;
   for (int i = 0; i < CPU_SETSIZE; ++i) last = CPU_ISSET(i, &processors) ? i : last;

@@ -172,7 +172,7 @@ TEST_P(UnixListenerTest, AStaleSocketFileIsReplaced) {
 }
 
 // A socket that is bound, and at which nobody listens yet, looks like one that was left behind.
-TEST_P(UnixListenerTest, ASocketOfAProcessThatIsAboutToListenIsLeftToIt) {
+TEST_P(UnixListenerTest, ABoundSocketIsLeftAlone) {
   const Address address = Address::parse(freshAddress());
   const std::string lock = address.path + ".lock";
   kj::AutoCloseFd held(open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
@@ -188,7 +188,7 @@ TEST_P(UnixListenerTest, ASocketOfAProcessThatIsAboutToListenIsLeftToIt) {
 }
 
 // Each of several may find that nobody answers, before the first of them listens.
-TEST_P(UnixListenerTest, OneOfSeveralReplacesAStaleSocketFile) {
+TEST_P(UnixListenerTest, OneReplacesAStaleSocketFile) {
   constexpr int kRounds = 100, kThreads = 4;
   for (int round = 0; round < kRounds; ++round) {
     const Address address = Address::parse(freshAddress());

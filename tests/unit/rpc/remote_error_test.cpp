@@ -18,7 +18,7 @@ TEST(RemoteErrors, AreTold) {
 }
 
 // The command may have run, so its sender must not take it for refused.
-TEST(RemoteErrors, ThatThisBuildDoesNotKnowLeaveTheOutcomeOpen) {
+TEST(RemoteErrors, UnknownOnesLeaveTheOutcomeOpen) {
   const char* const texts[] = {"suture error 77: too hot", "suture error 0: too hot",
                                "suture error 4294967297: too hot"};
   for (const char* text : texts) {
@@ -27,7 +27,7 @@ TEST(RemoteErrors, ThatThisBuildDoesNotKnowLeaveTheOutcomeOpen) {
   }
 }
 
-TEST(RemoteErrors, ThatAreNoneOfSutureAreToldInTheirWords) {
+TEST(RemoteErrors, ForeignOnesKeepTheirWords) {
   EXPECT_EQ(errcOf(told("no such goal")), Errc::OutcomeUnknown);
   EXPECT_EQ(reasonOf(told("no such goal")), "no such goal");
 }

@@ -175,7 +175,7 @@ TEST_F(LaneChoice, AnAddedLaneMustBeAskedFor) {
 }
 
 // A session has its lanes from when it begins, so a later connection could not find the new one.
-TEST_F(LaneChoice, NoLaneIsAddedWhileThereAreConnections) {
+TEST_F(LaneChoice, NoLaneJoinsStandingConnections) {
   begin(kTcp);
   connect(Lane::Frame);
   const std::string refused = refusal([&] { console->addLane(std::make_unique<HopefulLane>()); });

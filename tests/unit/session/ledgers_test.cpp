@@ -43,7 +43,7 @@ TEST_F(LedgersTest, ForgetNothingWithinTheBound) {
   EXPECT_TRUE(knowsAll("user 1", "a new one"));
 }
 
-TEST_F(LedgersTest, ForgetTheOldestOfThePeerThatHasTooMany) {
+TEST_F(LedgersTest, ForgetThePeersOldest) {
   fill("user 1");
   connect("user 1", "0");  // it is back
   connect("user 1", "one too many");

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kLongest = 107;  // of the path of a socket
 
 // Its name is part of the path, so it must not lead into another folder.
-TEST(SocketPath, ANameThatIsAPathIsTold) {
+TEST(SocketPath, APathIsNoProcessName) {
   const TemporaryDirectory directory;
   rpc::ControlThread control;
   const GlobalManager names(control, "unix:" + directory.file("m.sock"));

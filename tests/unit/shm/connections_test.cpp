@@ -46,7 +46,7 @@ TEST_F(SharedConnections, GiveEverythingBack) {
 }
 
 // The process has one descriptor table for both ends, and the socket of frames stands already.
-TEST_F(SharedConnections, ThatHaveNoDescriptorAreToldAtBothEnds) {
+TEST_F(SharedConnections, AMissingDescriptorIsTold) {
   others.push_back(std::make_unique<Teleop>());
   begin(unixAddress());
   console->connect("Other0/Slave", "robot:PSM/Arm", {.lane = Lane::Frame});

@@ -27,7 +27,7 @@ class ChannelMemory {
   Share share(const std::string& peer) const {
     return std::make_shared<rpc::PeerBudget::Share>(budget_, peer);
   }
-  /// Has `share` hold so many bytes; returns which limit that would break.
+  /// Lets `share` hold so many bytes, and returns which limit that would break.
   std::optional<rpc::PeerBudget::Beyond> hold(const Share& share, std::size_t bytes);
   /// Keeps `share` for as long as somebody has the channel that was built.
   void keep(const std::shared_ptr<Channel>& channel, Share share);
