@@ -20,7 +20,8 @@ constexpr suture::Duration kToldWithin = std::chrono::seconds(1);
 }  // namespace
 
 Coordinator::Coordinator(const CoordinatorParameters& parameters)
-    : PeriodicTask({.period = parameters.period}), buttons_(parameters.buttons) {}
+    : PeriodicTask({.period = parameters.period}),
+      buttons_(parameters.buttons.begin(), parameters.buttons.end()) {}
 
 // Each press withholds one permit, even if it is released in the cycle in which it was pressed.
 void Coordinator::run() {
@@ -81,7 +82,7 @@ bool Coordinator::forgetNewcomer(const suture::ConnectedClient& client) {
 }
 
 bool Coordinator::isButton(const suture::ConnectedClient& client) const {
-  return std::find(buttons_.begin(), buttons_.end(), client.name) != buttons_.end();
+  return buttons_.contains(client.name);
 }
 
 // The stop begins pressed, because nobody could press it until now.

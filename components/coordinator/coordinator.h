@@ -11,6 +11,8 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,7 +56,7 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
   bool forgetNewcomer(const suture::ConnectedClient& client);
   bool isButton(const suture::ConnectedClient& client) const;
 
-  const std::vector<std::string> buttons_;
+  const std::set<std::string, std::less<>> buttons_;
   std::size_t connectedButtons_ = 0;
   CycleWatch cycles_;
   StopNews news_{true, {}, true, 0};  // the last

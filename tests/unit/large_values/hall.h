@@ -11,7 +11,7 @@ class SUTURE_INTERFACE() Hall {
  public:
   virtual ~Hall() = default;
 
-  SUTURE_COMMAND(queue(480)) virtual void fill(const Picture& picture) = 0;
+  SUTURE_COMMAND(queue(2000)) virtual void fill(const Picture& picture) = 0;
 };
 
 }  // namespace large_values

@@ -16,8 +16,8 @@ namespace suture {
 /// the last thread has dropped its channel, because a task that hangs keeps those that are over.
 class ChannelMemory {
  public:
-  static constexpr rpc::PeerBudget::Limits kLimits{.peer = std::size_t{512} << 20,
-                                                   .process = std::size_t{2} << 30};
+  static constexpr rpc::PeerBudget::Limits kLimits{.peer = std::size_t{2} << 30,
+                                                   .process = std::size_t{4} << 30};
   using Share = std::shared_ptr<rpc::PeerBudget::Share>;
 
   explicit ChannelMemory(const rpc::PeerBudget::Limits& limits = kLimits)
