@@ -1,6 +1,7 @@
-# cmake -DCAPNP=program -DPLUGIN=program -DSCHEMAS=dir -DSTEM=stem -DIMPORTS=list -DOUT=dir -P compile_schema.cmake
+# cmake -DCAPNP=program -DPLUGIN=program -DSCHEMAS=dir -DSTEM=stem -DPARTS=list -DIMPORTS=list -DOUT=dir -P compile_schema.cmake
 #
-# Compiles SCHEMAS/STEM.capnp to OUT/STEM.capnp.{h,c++}.
+# Compiles SCHEMAS/PART.capnp to OUT/PART.capnp.{h,c++} for each part, which is STEM alone for a header that is not big. Else OUT/STEM.capnp.h
+# includes what is written for all of them.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -15,14 +16,26 @@ list(REMOVE_DUPLICATES imports)
 # Write aside first, so that a run that fails or is killed leaves no half of a file in place.
 set(new "${OUT}/new")
 file(MAKE_DIRECTORY "${new}")
+foreach(part IN LISTS PARTS)
+  list(APPEND files ${SCHEMAS}/${part}.capnp)
+endforeach()
 execute_process(
-  COMMAND ${CAPNP} compile -o${PLUGIN}:${new} --src-prefix ${SCHEMAS} ${imports} ${SCHEMAS}/${STEM}.capnp
+  COMMAND ${CAPNP} compile -o${PLUGIN}:${new} --src-prefix ${SCHEMAS} ${imports} ${files}
   RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "capnp compile ${SCHEMAS}/${STEM}.capnp failed")
 endif()
 get_filename_component(folder "${OUT}/${STEM}" DIRECTORY)
 file(MAKE_DIRECTORY "${folder}")
-foreach(ending c++ h)
-  file(RENAME "${new}/${STEM}.capnp.${ending}" "${OUT}/${STEM}.capnp.${ending}")
+set(all "#pragma once\n")
+foreach(part IN LISTS PARTS)
+  foreach(ending c++ h)
+    file(RENAME "${new}/${part}.capnp.${ending}" "${OUT}/${part}.capnp.${ending}")
+  endforeach()
+  get_filename_component(name ${part} NAME)
+  string(APPEND all "#include \"${name}.capnp.h\"\n")
 endforeach()
+if(NOT PARTS STREQUAL STEM)
+  file(WRITE "${new}/${STEM}.capnp.h" "${all}")
+  file(RENAME "${new}/${STEM}.capnp.h" "${OUT}/${STEM}.capnp.h")
+endif()

@@ -19,7 +19,8 @@
 #   RUNTIME    target to link instead of the whole runtime, for contracts that the runtime itself links
 #
 # Set SUTUREC_EXECUTABLE before to the suturec to run, where that of the package is for another machine.
-# A header that declares more than SUTURE_DECLARATIONS_PER_SOURCE types, commands and events (150 if it is not set) gives several sources.
+# A header that declares more than SUTURE_DECLARATIONS_PER_SOURCE types, commands and events (100 if it is not set) gives several sources,
+# and capnp compiles its schema in as many parts.
 # With suturec at hand it runs at build time: once per change of anything the headers read, and it
 # rewrites only files whose text changes. Without it, what is committed in <project>/generated is compiled.
 # suturec sees the macros and include paths of t: its definitions and include directories, and -D, -U, -I, -isystem, -iquote, -idirafter,
@@ -70,7 +71,12 @@ function(suture_generate)
     target_sources(${arg_TARGET} PRIVATE ${sources})
     # Without suturec, a header that has no lock declares nothing for a wire.
     if(suturec OR EXISTS ${schemas}/${stem}.capnp)
-      suture_compile_schema(${arg_TARGET} "${schemas}" ${stem} "${wire}" "${lock_dirs}")
+      suture_outputs(parts ${stem} part)
+      if(parts)
+        suture_compile_schema(${arg_TARGET} "${generated}" ${stem} "${wire}" "${lock_dirs}")
+      else()
+        suture_compile_schema(${arg_TARGET} "${schemas}" ${stem} "${wire}" "${lock_dirs}")
+      endif()
     endif()
     if(arg_INSTALL_DIR)
       suture_install(${stem} ${arg_INSTALL_DIR} "${arg_BASE_DIR}" "${generated}" "${arg_LOCK_DIR}" "${wire}")

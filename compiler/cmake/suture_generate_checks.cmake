@@ -129,7 +129,7 @@ function(suture_stems result target base headers)
 endfunction()
 
 function(suture_check_committed target generated stems entry)
-  suture_outputs(files "${stems}" include compile)
+  suture_outputs(files "${stems}" include compile part)
   foreach(file IN LISTS files entry)
     if(NOT EXISTS ${generated}/${file})
       message(FATAL_ERROR "suture_generate(TARGET ${target}): there is no suturec to write the generated code, and no file ${generated}/${file}; "

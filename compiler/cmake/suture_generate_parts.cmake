@@ -1,6 +1,6 @@
 # These are the build steps behind suture_generate().
 
-# Lists what suturec writes for the headers STEMS and a build uses so: include, compile, read or schema. The list is that of suturec
+# Lists what suturec writes for the headers STEMS and a build uses so: include, compile, read, schema or part. The list is that of suturec
 # --list-outputs, kept beside this file because suturec may not be built yet, or not be there.
 function(suture_outputs result stems)
   set(list ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/outputs.list)
@@ -13,13 +13,13 @@ function(suture_outputs result stems)
       string(REGEX MATCH "^([a-z]+) (.*)$" found "${line}")
       set(use ${CMAKE_MATCH_1})
       set(ending ${CMAKE_MATCH_2})
-      if(NOT use IN_LIST ARGN)
+      if(NOT use IN_LIST ARGN OR (use STREQUAL part AND NOT sources GREATER 1))
         continue()
       endif()
       list(APPEND files ${stem}.${ending})
-      if(use STREQUAL compile AND sources GREATER 1)
+      if(use MATCHES "^(compile|part)$" AND sources GREATER 1)
         foreach(number RANGE 2 ${sources})
-          string(REGEX REPLACE "cpp$" "${number}.cpp" numbered ${ending})
+          string(REGEX REPLACE "([a-z]+)$" "${number}.\\1" numbered ${ending})
           list(APPEND files ${stem}.${numbered})
         endforeach()
       endif()
@@ -28,11 +28,11 @@ function(suture_outputs result stems)
   set(${result} "${files}" PARENT_SCOPE)
 endfunction()
 
-# Says how many sources of each kind the header STEM gives: one for some 150 types and commands, so that no compiler needs gigabytes. It
+# Says how many sources of each kind the header STEM gives: one for some 100 types and commands, so that no compiler needs gigabytes. It
 # is counted when CMake runs; sources of a header that grows meanwhile are only bigger.
 function(suture_count_sources stem base)
   if(NOT SUTURE_DECLARATIONS_PER_SOURCE)
-    set(SUTURE_DECLARATIONS_PER_SOURCE 150)
+    set(SUTURE_DECLARATIONS_PER_SOURCE 100)
   endif()
   set(sources 1)
   if(EXISTS ${base}/${stem}.h)
@@ -178,7 +178,7 @@ function(suture_run_compiler suturec target base generated lock_dirs stems entry
     VERBATIM)
   cmake_policy(POP)
 
-  suture_outputs(outputs "${stems}" include compile read schema)
+  suture_outputs(outputs "${stems}" include compile read schema part)
   list(APPEND outputs ${entry})
   list(TRANSFORM outputs PREPEND ${generated}/)
   set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/write_missing.cmake)
@@ -200,21 +200,44 @@ function(suture_run_compiler suturec target base generated lock_dirs stems entry
   target_sources(${target} PRIVATE ${work}.written)
 endfunction()
 
+# Lists the schemas that capnp compiles for the header STEM, without their ending: its lock, or all parts of that.
+function(suture_schema_stems result stem)
+  suture_outputs(parts ${stem} part)
+  if(NOT parts)
+    set(parts ${stem}.capnp)
+  endif()
+  list(TRANSFORM parts REPLACE "\\.capnp$" "")
+  set(${result} "${parts}" PARENT_SCOPE)
+endfunction()
+
+# Compiles the schema of a header. What capnp writes for the parts of a big one lies beside a STEM.capnp.h that includes all of them, which
+# is the first output here because Make looks at that one only.
 function(suture_compile_schema target schemas stem wire lock_dirs)
   # This does not use capnp_generate_cpp(), which cannot write several folders into one include root. Where a header of another package is
   # found, its schema is found too.
   set(imports ${lock_dirs} $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
   set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/compile_schema.cmake)
+  suture_schema_stems(parts ${stem})
+  list(TRANSFORM parts APPEND .capnp.c++ OUTPUT_VARIABLE sources)
+  list(TRANSFORM sources PREPEND ${wire}/)
+  list(TRANSFORM parts APPEND .capnp.h OUTPUT_VARIABLE headers)
+  list(TRANSFORM headers PREPEND ${wire}/)
+  set(outputs ${sources} ${headers})
+  if(NOT parts STREQUAL stem)
+    list(PREPEND outputs ${wire}/${stem}.capnp.h)
+  endif()
+  list(TRANSFORM parts APPEND .capnp OUTPUT_VARIABLE inputs)
+  list(TRANSFORM inputs PREPEND ${schemas}/)
   add_custom_command(
-    OUTPUT ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h
+    OUTPUT ${outputs}
     COMMAND ${CMAKE_COMMAND} -DCAPNP=${CAPNP_EXECUTABLE} -DPLUGIN=${CAPNPC_CXX_EXECUTABLE}
-      -DSCHEMAS=${schemas} -DSTEM=${stem} "-DIMPORTS=${imports}" -DOUT=${wire} -P ${script}
-    DEPENDS ${schemas}/${stem}.capnp ${script}
+      -DSCHEMAS=${schemas} -DSTEM=${stem} "-DPARTS=${parts}" "-DIMPORTS=${imports}" -DOUT=${wire} -P ${script}
+    DEPENDS ${inputs} ${script}
     COMMENT "capnp ${stem}.capnp"
     VERBATIM)
   # An editor takes the command of this file for that of the header of its name, so it has the standard of the target.
-  set_source_files_properties(${wire}/${stem}.capnp.c++ PROPERTIES COMPILE_OPTIONS "-w;-include;suture/loop/kj_comparisons.h")
-  target_sources(${target} PRIVATE ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h)
+  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "-w;-include;suture/loop/kj_comparisons.h")
+  target_sources(${target} PRIVATE ${outputs})
 endfunction()
 
 # Makes a build with Make notice an output that is gone; Ninja sees that by itself.
@@ -226,9 +249,11 @@ function(suture_notice_removed target generated wire stems)
   if(TARGET ${target}_suture)
     set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture.stamp)
   endif()
-  suture_outputs(outputs "${stems}" include compile read schema)
+  suture_outputs(outputs "${stems}" include compile read schema part)
+  suture_outputs(parts "${stems}" part)
   add_custom_target(${target}_outputs
-    COMMAND ${CMAKE_COMMAND} -DSTAMP=${stamp} -DGENERATED=${generated} -DWIRE=${wire} "-DSTEMS=${stems}" "-DOUTPUTS=${outputs}"
+    COMMAND ${CMAKE_COMMAND} -DSTAMP=${stamp} -DGENERATED=${generated} -DWIRE=${wire} "-DSTEMS=${stems}" "-DPARTS=${parts}"
+      "-DOUTPUTS=${outputs}"
       -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/notice_removed.cmake
     VERBATIM)
   add_dependencies(${target} ${target}_outputs)
@@ -244,5 +269,8 @@ function(suture_install stem root base generated lock_dir wire)
   list(TRANSFORM included PREPEND ${generated}/)
   install(FILES ${base}/${stem}.h ${included} DESTINATION ${folder})
   # A header that declares nothing for a wire has neither file, hence OPTIONAL.
-  install(FILES ${lock_dir}/${stem}.capnp ${wire}/${stem}.capnp.h DESTINATION ${folder} OPTIONAL)
+  suture_outputs(parts ${stem} part)
+  list(TRANSFORM parts PREPEND ${wire}/)
+  list(TRANSFORM parts APPEND .h)
+  install(FILES ${lock_dir}/${stem}.capnp ${wire}/${stem}.capnp.h ${parts} DESTINATION ${folder} OPTIONAL)
 endfunction()

@@ -6,7 +6,7 @@ function(suture_register_upkeep suturec target stems entry)
   suture_add_lock_target(update-lock "--update-lock" "${suturec}" ${target})
   suture_add_lock_target(accept-break "--update-lock;--accept-break" "${suturec}" ${target})
 
-  suture_outputs(files "${stems}" include compile read)
+  suture_outputs(files "${stems}" include compile read part)
   set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_FILES_${PROJECT_SOURCE_DIR} ${entry} ${files})
   set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_TARGETS_${PROJECT_SOURCE_DIR} ${target}_suture)
   get_property(projects GLOBAL PROPERTY SUTURE_UPKEEP_PROJECTS)

@@ -1,15 +1,16 @@
 #include "compiler/driver/list_outputs.h"
 
 #include <iostream>
+#include <vector>
 
 #include "compiler/emit/emit.h"
 
 namespace suture::compiler::driver {
 
 int listOutputs() {
-  for (const emit::Output& output : emit::outputs()) {
-    std::cout << output.use << " " << output.suffix << "\n";
-  }
+  std::vector<emit::Output> all = emit::outputs();
+  all.push_back(emit::kPart);
+  for (const emit::Output& output : all) std::cout << output.use << " " << output.suffix << "\n";
   std::cout << "schema capnp\n";  // wire_schema.h
   return 0;
 }

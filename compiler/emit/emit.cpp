@@ -36,6 +36,17 @@ std::string nameOf(const model::Header& header, const Output& output, unsigned i
   return name;
 }
 
+/// Divides the schema of a header as its sources are divided.
+lock::Parts partsOf(const model::Header& header, const lock::Lock& schema, unsigned count) {
+  std::vector<std::string> paths;
+  lock::Parts::Wishes wishes;
+  for (unsigned i = 0; i < count; ++i) {
+    paths.push_back(nameOf(header, kPart, i));
+    for (const std::string& node : nodesOf(shareOf(header, i, count))) wishes.emplace(node, i);
+  }
+  return {schema, std::move(paths), wishes};
+}
+
 }  // namespace
 
 std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& locks,
@@ -51,14 +62,21 @@ std::vector<Artefact> emit(const model::Model& declared, const lock::Locks& lock
     if (!header.own) continue;
     const auto split = sources.find(header.path);
     const unsigned count = split == sources.end() ? 1 : split->second;
+    const auto committed = locks.files.find(lock::lockPath(header.path));
+    const lock::Lock none;
+    const lock::Lock& schema = committed == locks.files.end() ? none : committed->second;
+    const lock::Parts parts = partsOf(header, schema, count);
     for (const Emitter& emitter : kEmitters) {
       const unsigned files = emitter.output.isSource() ? count : 1;
       for (unsigned i = 0; i < files; ++i) {
         const model::Header share = shareOf(header, i, files);
-        const Context context{model, lookup, locks, nodes, hashes, cores, share, i};
+        const Context context{
+            model, lookup, locks, nodes, hashes, cores, share, count > 1 ? &parts : nullptr, i};
         artefacts.push_back({nameOf(header, emitter.output, i), emitter.write(context)});
       }
     }
+    if (count == 1) continue;
+    for (Artefact& part : parts.files()) artefacts.push_back(std::move(part));
   }
   return artefacts;
 }

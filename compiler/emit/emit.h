@@ -22,6 +22,9 @@ struct Output {
   bool isSource() const { return std::string_view(use) == "compile"; }
 };
 
+/// Is a part of a schema, of which there are as many as sources of a kind if these are several.
+inline constexpr Output kPart = {"wire.capnp", "part"};
+
 /// Says how many sources of each kind a big header gives, by its path: X.suture.cpp, then
 /// X.suture.2.cpp. Any other gives one.
 using Sources = std::map<std::string, unsigned>;
@@ -32,7 +35,7 @@ using Sources = std::map<std::string, unsigned>;
 std::vector<Artefact> emit(const model::Model& model, const lock::Locks& locks,
                            const Sources& sources = {});
 
-/// Returns all kinds of file that emit() writes.
+/// Returns all kinds of file that emit() writes for any header, which kPart is not among.
 std::vector<Output> outputs();
 
 }  // namespace suture::compiler::emit

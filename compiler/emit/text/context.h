@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/lock/parts.h"
 #include "compiler/lock/schema/lock.h"
 #include "compiler/lock/schema/node_index.h"
 #include "compiler/model/generated_names.h"
@@ -25,6 +26,7 @@ struct Context {
   const std::map<std::string, std::string>& hashes;  ///< by contract, see lock/contract_hash.h
   const std::map<std::string, std::string>& cores;   ///< the same without optional commands
   const model::Header& header;                       ///< the one being written, or a share of it
+  const lock::Parts* parts = nullptr;                ///< of its schema, if that is split
   unsigned share = 0;                                ///< the first has components and readers too
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "compiler/lock/schema/wire_type.h"
+
 namespace suture::compiler::emit {
 namespace {
 
@@ -39,6 +41,19 @@ model::Header shareOf(const model::Header& header, unsigned index, unsigned coun
   keep(share.interfaces);
   if (index > 0) share.components.clear();
   return share;
+}
+
+std::vector<std::string> nodesOf(const model::Header& header) {
+  std::vector<std::string> nodes;
+  const auto add = [&](const char* annotation, const std::string& name) {
+    nodes.push_back(annotation + (" " + lock::quoted(name)));
+  };
+  for (const model::Enum& one : header.enums) add("cxx", one.name);
+  for (const model::Struct& one : header.structs) add("cxx", one.name);
+  for (const model::Interface& one : header.interfaces) {
+    for (const char* const annotation : {"cxx", "eventsOf", "stateOf"}) add(annotation, one.name);
+  }
+  return nodes;
 }
 
 bool declares(const model::Header& header, const std::string& type) {

@@ -172,9 +172,13 @@ std::string idText(std::uint64_t id) {
 }
 
 std::string write(const Lock& lock) {
+  return write(lock, "# The wire contract of " + lock.header +
+                         ", written by suturec --update-lock: commit it, never edit it.\n");
+}
+
+std::string write(const Lock& lock, const std::string& about) {
   const Aliases aliases = aliasesOf(lock);
-  std::string text = idText(lock.id) + ";\n# The wire contract of " + lock.header +
-                     ", written by suturec --update-lock: commit it, never edit it.\n\n";
+  std::string text = idText(lock.id) + ";\n" + about + "\n";
   text += "using Cxx = import \"/capnp/c++.capnp\";\nusing Meta = import \"/suture/meta.capnp\";\n";
   for (const auto& [path, alias] : aliases) {
     text += "using " + alias + " = import " + quoted(path) + ";\n";

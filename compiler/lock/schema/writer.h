@@ -12,6 +12,9 @@ namespace suture::compiler::lock {
 /// back, but for docs and lines.
 std::string write(const Lock& lock);
 
+/// Returns the same with `about`, a comment, in place of what a lock says of itself.
+std::string write(const Lock& lock, const std::string& about);
+
 /// Returns one member as a single line, for messages: "speed @2 :Float64 $Meta.unit("m/s")".
 std::string describe(const Member& member);
 

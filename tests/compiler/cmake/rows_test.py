@@ -141,6 +141,9 @@ def many_sources(project):
     names = {p.name for p in project.times()}
     expect({"counter.suture.3.cpp", "counter.wire.3.cpp"} <= names and "sample.suture.3.cpp" not in names,
            "a header with more to it gives more sources", str(sorted(names)))
+    wire = project.build_folder / "generated-wire/count"
+    parts = [wire / f"counter.wire{number}.capnp.h" for number in ("", ".2", ".3")]
+    expect(all(part.exists() for part in parts), "and capnp compiles its schema in parts", str(sorted(p.name for p in wire.iterdir())))
     status, text = run([project.build_folder / "main"])
     expect(status == 0, "and a program has all that they define", text)
     no_change(project)

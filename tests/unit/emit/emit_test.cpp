@@ -62,10 +62,12 @@ TEST_F(EmitTest, ABigHeadersSourcesShareDeclarations) {
       EXPECT_TRUE(paths.contains(std::string("robots/arm.") + kind + number + ".cpp")) << number;
     }
   }
+  EXPECT_TRUE(paths.contains("robots/arm.wire.capnp"));
+  EXPECT_TRUE(paths.contains("robots/arm.wire.3.capnp"));
   const std::string definition = "bool store(const Everything& value, EverythingSlot& slot) {";
   EXPECT_EQ(all.find(definition), all.rfind(definition));
   EXPECT_NE(all.find(definition), std::string::npos);
-  EXPECT_EQ(paths.size(), outputs().size() + 4);
+  EXPECT_EQ(paths.size(), outputs().size() + 4 + 3);
 }
 
 TEST_F(EmitTest, EqualModelsGiveEqualBytes) {
