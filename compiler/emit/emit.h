@@ -22,7 +22,7 @@ struct Output {
   bool isSource() const { return std::string_view(use) == "compile"; }
 };
 
-/// Is a part of a schema, of which there are as many as sources of a kind if these are several.
+/// A schema has as many parts as there are sources of a kind, if these are several.
 inline constexpr Output kPart = {"wire.capnp", "part"};
 
 /// Says how many sources of each kind a big header gives, by its path: X.suture.cpp, then

@@ -14,7 +14,8 @@ struct PedalState @0xcff309898affe286 $Meta.cxx("robots::PedalState") {
   clutch @0 :Bool;
   # If it is true, masters move without their slaves.
   camera @1 :Bool;
-  # If it is true, masters move the camera instead of their slaves.
+  # If it is true, masters move the camera instead of their slaves. The components here simulate
+  # no camera that masters move: slaves only hold.
   coagulation @2 :Bool;
   # If it is true, energy is applied to the tissue.
   stamp @3 :Int64 $Meta.clock("steady");

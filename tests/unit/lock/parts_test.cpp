@@ -36,7 +36,7 @@ Lock lockOf(std::vector<Node> nodes) {
 
 const std::vector<std::string> kPaths = {"robots/arm.wire.capnp", "robots/arm.wire.2.capnp"};
 
-TEST(Parts, ANodeIsInThePartThatIsWishedForAndImportsWhatItNames) {
+TEST(Parts, ANodeImportsWhatItNames) {
   const Lock lock = lockOf(
       {structOf("Pose", {"Float64"}), structOf("Path", {"List(Pose)", "/other.capnp:Time"})});
   const Parts parts(lock, kPaths, {{"Pose", 0}, {"Path", 1}});
@@ -51,7 +51,7 @@ TEST(Parts, ANodeIsInThePartThatIsWishedForAndImportsWhatItNames) {
   EXPECT_NE(files[1].text.find("struct Path " + idText(lock.nodes[1].id)), std::string::npos);
 }
 
-TEST(Parts, WhatNamesALaterNodeGoesThereBecauseHeadersIncludeNoCircle) {
+TEST(Parts, PartsIncludeNoCircle) {
   const Lock lock = lockOf({structOf("Tree", {"List(Branch)"}), structOf("Branch", {"List(Tree)"}),
                             structOf("Garden", {"Tree"})});
   const Parts parts(lock, kPaths, {{"Tree", 0}, {"Branch", 1}, {"Garden", 0}});
@@ -60,7 +60,7 @@ TEST(Parts, WhatNamesALaterNodeGoesThereBecauseHeadersIncludeNoCircle) {
   }
 }
 
-TEST(Parts, EveryNodeOfALockStandsInOnePart) {
+TEST(Parts, EachNodeStandsInOnePart) {
   const model::Model model = sample::allOwn(sample::robots());
   model::Diagnostics none;
   const Locks locks = read(update(model, {}).files, none);
