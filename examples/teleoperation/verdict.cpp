@@ -11,6 +11,7 @@
 
 #include "recorder/recording.h"
 #include "run/stop.h"
+#include "tables/units.h"
 #include "timing/seconds.h"
 
 namespace demo {
