@@ -85,15 +85,15 @@ constexpr char kFootPedalsDescription[] = R"json(
 "doc": "Says what the feet do. It counts only as long as it is fresh: a client that does not receive it\nany more must assume that all pedals are pressed.",
 "fields": [{"name": "clutch", "doc": "If it is true, masters move without their slaves.", "type": {
 "kind": "Bool"}, "default": false}, {"name": "camera",
-"doc": "If it is true, masters move the camera instead of their slaves.", "type": {"kind": "Bool"},
-"default": false}, {"name": "coagulation", "doc": "If it is true, energy is applied to the tissue.",
-"type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
-"doc": "The stamp is that of the cycle in which they were looked at.", "type": {"kind": "time",
-"clock": "steady"}}]}], "wire": [{"id": "@0xeef483a34001461c", "kind": "interface",
-"name": "FootPedals", "cxx": "robots::FootPedals", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xeb48eb818a9b108b"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "pedals", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"doc": "If it is true, masters move the camera instead of their slaves. The components here simulate\nno camera that masters move: slaves only hold.",
+"type": {"kind": "Bool"}, "default": false}, {"name": "coagulation",
+"doc": "If it is true, energy is applied to the tissue.", "type": {"kind": "Bool"}, "default": false
+}, {"name": "stamp", "doc": "The stamp is that of the cycle in which they were looked at.",
+"type": {"kind": "time", "clock": "steady"}}]}], "wire": [{"id": "@0xeef483a34001461c",
+"kind": "interface", "name": "FootPedals", "cxx": "robots::FootPedals", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xeb48eb818a9b108b"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "pedals", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xcff309898affe286"
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xeb48eb818a9b108b", "kind": "interface",
 "name": "FootPedalsEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,

@@ -11,7 +11,7 @@ $Meta.header("unit/large_values/hall.h");
 interface Hall @0xe68070b1d5e11ac8 $Meta.cxx("large_values::Hall") {
   subscribe @0 (events :HallEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
-  fill @1 (picture :Picture.Picture, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(480);
+  fill @1 (picture :Picture.Picture, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(2000);
 }
 
 interface HallEvents @0x98f03f3ca3726066 $Meta.eventsOf("large_values::Hall") {
