@@ -103,6 +103,7 @@ void Teleop::step(suture::Time now) {
   const bool fellSilent = arms_.slave().hasFallenSilent();
   if (arms_.slave().hasBrokenOff() || fellSilent || missed || rebased) {
     law_.reset();
+    goal_.reset();
     jawFollower_.end();
   }
   const bool haveData = poses && knowsView();
@@ -113,7 +114,7 @@ void Teleop::step(suture::Time now) {
   const bool begins = !law_ || isTurned_;
   if (begins && !arms_.slave().streams()) return offerGoal(TeleopState::Preparing, *poses);
   if (begins && !isAligned(*poses, now)) return offerGoal(TeleopState::Aligning, *poses);
-  if (!arms_.ready()) return leave(TeleopState::Preparing);
+  if (!arms_.ready()) return offerGoal(TeleopState::Preparing, *poses);
   isTurned_ = false;
   follow(*poses);
   if (state_ == TeleopState::Following) jawFollower_.follow(now);
@@ -138,10 +139,15 @@ bool Teleop::isAligned(const ArmPoses& poses, suture::Time now) {
   return alignment_.align(poses.master.pose, view_.transpose() * poses.slave.pose.linear(), now);
 }
 
-/// Asks the slave to be where it is. That it does so shows that goals reach it in time.
+/// Asks the slave to stay where it was sent, or else where it is. That it does so shows that goals
+/// reach it in time. The pose stays the same while the slave obeys, because its set-point comes
+/// back late: a slave that was sent there again would repeat its last motion.
 void Teleop::offerGoal(TeleopState state, const ArmPoses& poses) {
+  const Eigen::Isometry3d goal = goal_ && arms_.slave().streams() ? *goal_ : poses.slave.pose;
   leave(state);
-  offers_ = slave_.servo_cp({poses.slave.pose, poses.master.stamp, true}).has_value();
+  if (!slave_.servo_cp({goal, poses.master.stamp, true})) return;
+  goal_ = goal;
+  offers_ = true;
 }
 
 void Teleop::follow(const ArmPoses& poses) {
@@ -152,10 +158,9 @@ void Teleop::follow(const ArmPoses& poses) {
   const Eigen::Isometry3d from = law_ ? law_->follow(master.pose) : poses.slave.pose;
   if (begins) law_.emplace(master.pose, from, lawSettings());
   lawIsOld_ = false;
+  goal_ = law_->follow(master.pose);
   // The goal keeps the stamp of the master's data, so that its age is known wherever it arrives.
-  if (!slave_.servo_cp({law_->follow(master.pose), master.stamp, true})) {
-    return leave(TeleopState::Preparing);
-  }
+  if (!slave_.servo_cp({*goal_, master.stamp, true})) return leave(TeleopState::Preparing);
   if (begins) announce(master, from);
 }
 
@@ -203,6 +208,7 @@ void Teleop::giveUp(const char* why) {
 /// home for a teleoperation that is disabled.
 void Teleop::leave(TeleopState state) {
   law_.reset();
+  goal_.reset();
   offers_ = false;
   if (state_ == TeleopState::Following && state != TeleopState::Aligning) arms_.holdSlave();
   if (state != TeleopState::Aligning) alignment_.end();

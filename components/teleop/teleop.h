@@ -133,8 +133,9 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   Eigen::Matrix3d view_ = Eigen::Matrix3d::Identity();
   FollowAnchors anchors_;
   std::optional<FollowLaw> law_;
-  bool offers_ = false;    // the slave gets its own set-point as a goal
-  bool lawIsOld_ = false;  // the settings have changed since the law was made
+  std::optional<Eigen::Isometry3d> goal_;  // the last that the slave has got
+  bool offers_ = false;                    // that is one to stay
+  bool lawIsOld_ = false;                  // the settings have changed since the law was made
 };
 
 }  // namespace robots

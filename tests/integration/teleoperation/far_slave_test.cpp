@@ -8,10 +8,10 @@ namespace {
 
 class FarSlave : public TeleopStates {
  protected:
-  /// Goals take so much longer from now on.
-  void delayGoals(suture::Duration by) {
+  /// Goals take so much longer from now on, and so do the slave's answers.
+  void delayGoals(suture::Duration by, suture::Duration answers = {}) {
     manager_.disconnect("Teleop/Slave");
-    manager_.connect("Teleop/Slave", "PSM/Arm", {.delay = {.commands = by}});
+    manager_.connect("Teleop/Slave", "PSM/Arm", {.delay = {.commands = by, .answers = answers}});
   }
   void expectItNeverFollows() {
     pass(200ms);  // until a slave that got goals before says that it gets none
@@ -54,6 +54,28 @@ TEST_F(FarSlave, ForgetsWhatItMissed) {
   pass(50ms);
   EXPECT_TRUE(slave_.pose().isApprox(poseAt({0.3, 0, 0}, -0.4), 1e-9)) << "it jumped";
   EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
+}
+
+// Its set-point comes back ten cycles late, and tells of motion until then.
+TEST_F(FarSlave, RestsWhileTheMasterIsAligned) {
+  startFollowing();
+  delayGoals(5ms, 5ms);
+  ASSERT_TRUE(reaches(TeleopState::Following));
+  EXPECT_TRUE(operator_.teleop.lock_rotation(true));
+  turnMaster(0.3);
+  master_.refuseMoves(true);
+  for (int i = 0; i < 50; ++i) {
+    master_.place(Eigen::Translation3d(0.0002, 0, 0) * master_.pose());
+    pass(1ms);
+  }
+  EXPECT_TRUE(operator_.teleop.lock_rotation(false));
+  ASSERT_TRUE(reaches(TeleopState::Aligning));
+  pass(20ms);
+  const Vector3d rested = slave_.pose().translation();
+  for (int i = 0; i < 50; ++i) {
+    pass(1ms);
+    ASSERT_TRUE(slave_.pose().translation().isApprox(rested, 1e-9)) << "it repeats its last motion";
+  }
 }
 
 }  // namespace
