@@ -20,8 +20,9 @@ constexpr suture::Duration kToldWithin = std::chrono::seconds(1);
 }  // namespace
 
 Coordinator::Coordinator(const CoordinatorParameters& parameters)
-    : PeriodicTask({.period = parameters.period}),
-      buttons_(parameters.buttons.begin(), parameters.buttons.end()) {}
+    : PeriodicTask({.period = parameters.period}) {
+  for (const std::string& name : parameters.buttons) buttons_[name] = 0;
+}
 
 // Each press withholds one permit, even if it is released in the cycle in which it was pressed.
 void Coordinator::run() {
@@ -42,7 +43,7 @@ void Coordinator::run() {
 void Coordinator::release(std::uint64_t press) {
   if (press != news_.press) {
     messages_.warning("not released, because it has been pressed since");
-  } else if (connectedButtons_ != buttons_.size()) {
+  } else if (!canBePressed()) {
     messages_.warning("not released, because a button is not connected");
   } else if (news_.pressed) {
     news_ = {false, suture::now(), false, press};
@@ -55,8 +56,8 @@ void Coordinator::onClient(const suture::ProvidedBase&, const suture::ConnectedC
                            suture::ClientNews news) {
   noticePause();
   const bool hasCome = news == suture::ClientNews::Connected;
-  if (isButton(client)) {
-    connectedButtons_ += hasCome ? 1 : std::size_t(-1);
+  if (const auto button = buttons_.find(client.name); button != buttons_.end()) {
+    button->second += hasCome ? 1 : -1u;
     buttonIsGone_ = buttonIsGone_ || !hasCome;
   }
   if (hasCome) {
@@ -81,8 +82,9 @@ bool Coordinator::forgetNewcomer(const suture::ConnectedClient& client) {
   return true;
 }
 
-bool Coordinator::isButton(const suture::ConnectedClient& client) const {
-  return buttons_.contains(client.name);
+bool Coordinator::canBePressed() const {
+  return std::all_of(buttons_.begin(), buttons_.end(),
+                     [](const auto& button) { return button.second > 0; });
 }
 
 // The stop begins pressed, because nobody could press it until now.

@@ -9,10 +9,9 @@
 
 #include <array>
 #include <chrono>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -54,10 +53,9 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
   void stopDrives(bool isStart);
   void noticePause();
   bool forgetNewcomer(const suture::ConnectedClient& client);
-  bool isButton(const suture::ConnectedClient& client) const;
+  bool canBePressed() const;
 
-  const std::set<std::string, std::less<>> buttons_;
-  std::size_t connectedButtons_ = 0;
+  std::map<std::string, unsigned, std::less<>> buttons_;  // how many connections each has
   CycleWatch cycles_;
   StopNews news_{true, {}, true, 0};  // the last
   bool buttonIsGone_ = false;         // since the last cycle

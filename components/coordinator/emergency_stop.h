@@ -25,8 +25,8 @@ struct SUTURE_TYPE() StopNews {
   suture::Time stamp;
   /// This is true if nobody has pressed it: the coordinator has just started, and starts pressed.
   bool is_start = false;
-  /// Identifies the last press, and so does release(). Each press has a larger one than all before,
-  /// those of a coordinator that ran before on the same machine too.
+  /// Identifies the last press, and so does release(). No two presses have the same one, nor has
+  /// one of a coordinator that ran before.
   std::uint64_t press = 0;
 };
 

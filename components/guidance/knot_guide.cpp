@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 // The capstan's friction is not known better than this share of it, nor are the strand's ends
 // straight.
 constexpr double kHolding = 0.8;
-// A tip that is delayed goes on for so long after its hand has come to rest.
+// A tip is behind its hand by no more than it goes in this time.
 constexpr double kCatchUp = 0.1;  // s
 
 /// Returns the parameters. Throws suture::SetupError for those with which nothing can be guided.
@@ -331,16 +331,17 @@ Vector3d KnotGuide::withoutHaste(const Vector3d& wish) const {
   return wish.cwiseMin(most).cwiseMax(-most);
 }
 
-/// What the fixtures forbid is not made up for later, so that a tip whose hand rests does not move
-/// when they give way.
+/// What the fixtures forbid is not made up for later, but on the way to the target, so that a tip
+/// whose hand rests is not moved aside when they give way.
 void KnotGuide::forget(const TipPair& wish, const TipPair& step) {
   left_.forget(wish.left - step.left - kept(wish.left, step.left), frames_.left_base);
   right_.forget(wish.right - step.right - kept(wish.right, step.right), frames_.right_base);
 }
 
 /// Returns what later cycles shall fulfil of a wish of which this one fulfils `step`: what is only
-/// delayed, by the bound of the speed, or before the target by fixtures that slow the knot or lead
-/// it aside. It is no more than a tip comes in kCatchUp, nor does it lead beyond the target.
+/// delayed, by the bound of the speed, or before the target by a fixture, since one slows the knot
+/// there and another leads it aside while hands go on. It is no more than a tip goes in kCatchUp,
+/// nor does it lead beyond the target.
 Vector3d KnotGuide::kept(const Vector3d& wish, const Vector3d& step) const {
   Vector3d delayed = wish - withoutHaste(wish);
   if (parameters_.fixtures) {

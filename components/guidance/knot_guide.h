@@ -73,7 +73,8 @@ struct SUTURE_TYPE() GuideParameters {
 /// surgeon is not there or presses a pedal that takes the masters, both slaves hold. Each time that
 /// none of this is so any more they begin anew from where they are, once both carry out goals. They
 /// also do if a slave's set-point is not where it was sent, because the fixtures are about where
-/// the tips are. What the fixtures forbid is not made up for later. A slave that would refuse all
+/// the tips are. What the fixtures forbid is not made up for later, but on the way
+/// to the target. A slave that would refuse all
 /// further goals disables the guide.
 class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
  public:
