@@ -12,6 +12,8 @@ using suture::Time;
 
 // A slave may be thought to have followed for at most this time without a record.
 constexpr auto kLongestSilence = std::chrono::milliseconds(50);
+// A teleoperation that waits for data for so long has not heard of a release.
+constexpr auto kMoment = std::chrono::milliseconds(300);
 // A slave may need this long until it follows again: arms get power and home, masters turn.
 constexpr auto kRecovery = std::chrono::seconds(3);
 
@@ -51,7 +53,9 @@ std::vector<Span> clutched(const std::vector<ClutchNews>& news, Time end) {
   std::vector<Span> spans;
   bool isPressed = false;
   for (const ClutchNews& one : news) {
-    if (one.pressed && !isPressed) spans.push_back({one.stamp, end});
+    const bool goesOn = !spans.empty() && one.stamp - spans.back().end < kMoment;
+    if (one.pressed && !isPressed && goesOn) spans.back().end = end;
+    if (one.pressed && !isPressed && !goesOn) spans.push_back({one.stamp, end});
     if (!one.pressed && isPressed) spans.back().end = one.stamp;
     isPressed = one.pressed;
   }

@@ -24,7 +24,8 @@ struct Duty {
   std::vector<Span> excused = {};
 };
 
-/// Returns when the clutch was pressed, as parts of a run that ended at `end`.
+/// Returns when the clutch was pressed, as parts of a run that ended at `end`. A release of a
+/// moment is none: the teleoperation had no data then.
 std::vector<Span> clutched(const std::vector<ClutchNews>& news, suture::Time end);
 
 struct FollowedShare {

@@ -31,7 +31,7 @@ inline ErrorSummary summarise(std::vector<double> errors) {
 }
 
 /// Counts errors in buckets of 1 % width. Its greatest and its mean are exact, and its quantiles
-/// are the upper edges of their buckets, so that none is told too small.
+/// are the upper edges of their buckets, so that none below 1,000 is told too small.
 class ErrorHistogram {
  public:
   /// `error` is not below zero.

@@ -43,9 +43,8 @@ void JumpJudge::add(const ArmRow& row) {
 
 double JumpJudge::motionUntil(const ArmRow& row) const {
   if (!last_) return 0;
-  const double older = std::max(secondsBetween(last_->stamp, row.stamp),
-                                secondsBetween(last_->goal_stamp, row.goal_stamp));
-  return std::min(older, kLongestMotion);
+  const double goals = secondsBetween(last_->goal_stamp, row.goal_stamp);
+  return std::max(secondsBetween(last_->stamp, row.stamp), std::min(goals, kLongestMotion));
 }
 
 /// Looks from the last set-point backwards, and no further once it is nearer than another tip was.

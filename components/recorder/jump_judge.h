@@ -17,9 +17,9 @@ struct JumpJudgement {
   double astray = 0;  ///< m: how far the arm was from the path of its set-points, at most
 };
 
-/// Judges an arm while it is recorded. No bound depends on how punctual anybody was: a set-point
-/// may have moved since the last one for as long as the data from which it was made grew older, or
-/// the arm's cycle took; and drives that trail go along the path of the set-points, however late.
+/// Judges an arm while it is recorded, however late anybody is: a set-point may have moved for as
+/// long as no row came, or the data from which it was made grew older; and drives that trail go
+/// along the path of the set-points. So it sees no jump between two rows that are far apart.
 class JumpJudge {
  public:
   /// Rows must come by ascending stamp.

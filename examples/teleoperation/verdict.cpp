@@ -271,16 +271,19 @@ Check checkClutched(const std::string& slave, const std::filesystem::path& recor
 }
 
 /// Judges each slave while the clutch was pressed, if it had time to follow again.
-void checkClutches(const std::vector<FollowingWatch>& watches, suture::Time end, Verdict& verdict) {
-  for (const FollowingWatch& watch : watches) {
-    for (const robots::Span& pressed : watch.clutched(end)) {
-      if (pressed.end - pressed.begin < kShortestPress || pressed.end + kFollowsAgain > end) {
-        continue;
-      }
-      verdict.checks.push_back(checkClutched(
-          watch.following().slave, watch.following().slaveRecording, pressed, verdict.held));
-    }
+void checkClutches(const FollowingWatch& watch, suture::Time end, Verdict& verdict) {
+  const std::string& slave = watch.following().slave;
+  const auto presses = watch.clutched(end);
+  bool isJudged = presses.empty();
+  for (const robots::Span& pressed : presses) {
+    if (pressed.end - pressed.begin < kShortestPress || pressed.end + kFollowsAgain > end) continue;
+    isJudged = true;
+    verdict.checks.push_back(
+        checkClutched(slave, watch.following().slaveRecording, pressed, verdict.held));
   }
+  if (isJudged) return;
+  verdict.checks.push_back({true, slave + ", with the clutch pressed: not judged, because that was "
+                                          "for less than 1 s or less than 3 s before the end"});
 }
 
 }  // namespace
@@ -310,7 +313,9 @@ Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const Cre
   }
   if (!slaves.empty()) verdict.checks.push_back(checkJumps(slaves, verdict.arms));
   if (plan.knot()) verdict.checks.push_back(checkKnot(*plan.knot(), verdict.knot));
-  checkClutches(watches.followings, result.ended, verdict);
+  for (const FollowingWatch& watch : watches.followings) {
+    checkClutches(watch, result.ended, verdict);
+  }
   if (plan.stop() && !result.interrupted) {
     for (const RecordedSlave& slave : plan.slaves()) {
       verdict.checks.push_back(checkStopped(slave, plan.permit(), verdict.held));

@@ -247,6 +247,14 @@ TEST(Judge, TheClutchAsksForNoFollowing) {
   EXPECT_EQ(spans[1].end, at(10));
 }
 
+TEST(Judge, AMomentWithoutDataIsNoRelease) {
+  const std::vector<Span> spans =
+      clutched({{true, at(5)}, {false, at(6)}, {true, at(6.2)}, {false, at(8)}}, at(10));
+  ASSERT_EQ(spans.size(), 1u);
+  EXPECT_EQ(spans[0].begin, at(5));
+  EXPECT_EQ(spans[0].end, at(8));
+}
+
 // The slave stands 5 mm off, without power, from 4 s to 5 s; then it follows again.
 TEST(Judge, ADisabledSlaveIsNotJudged) {
   Recorded run = makeRun({});

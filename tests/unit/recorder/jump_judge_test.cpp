@@ -117,6 +117,14 @@ TEST(JumpJudge, ExcusesATeleoperationThatIsLate) {
             Sentences{});
 }
 
+/// A recorder reads only the newest row, so one that is late misses those before.
+TEST(JumpJudge, ExcusesARecorderThatIsLate) {
+  auto rows = armThatFollows([](ArmRow&) {});
+  rows.erase(rows.begin() + 1000, rows.begin() + 1200);
+  for (int i = 3000; i > 0; i -= 50) rows.erase(rows.begin() + i, rows.begin() + i + 45);
+  EXPECT_EQ(violationsOf(rows), Sentences{});
+}
+
 /// Nobody ran for a second, so that the hand did not go on either.
 TEST(JumpJudge, ExcusesAMachineThatStoodStill) {
   std::vector<ArmRow> rows = armThatFollows([](ArmRow&) {});
