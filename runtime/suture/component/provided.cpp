@@ -146,11 +146,15 @@ rt::ColumnSet ProvidedBase::demand() const {
 }
 
 void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
-  if (!owner_.ownsThread()) channels_.sweep();  // a device has no thread that would do this
+  sweep();
   channels_.add(channel);
   greetLocal(*channel);
   if (!everyState_) tellState(*channel);
   channel->ends.provider->ring();
+}
+
+void ProvidedBase::sweep() {
+  if (!owner_.ownsThread()) channels_.sweep();
 }
 
 // Repeats until the state stays, because a thread that announces a change may not have seen the

@@ -85,6 +85,9 @@ class ProvidedBase {
 
   /// Any thread. Adds a client, which is served from the next cycle on.
   void attach(std::shared_ptr<Channel> channel);
+  /// Any thread that may free memory. Lets go of the channels that have ended, if this is a device;
+  /// a task does that itself, in its cycles.
+  void sweep();
 
   /// Before any client is connected: makes this interface serve in every state of its component,
   /// also when that is suspended or faulted.

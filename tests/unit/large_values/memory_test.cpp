@@ -8,6 +8,7 @@
 #include <suture/session/provider/limits/channel_memory.h>
 
 #include <string>
+#include <vector>
 
 #include "support/contains.h"
 #include "support/eventually.h"
@@ -37,6 +38,7 @@ class MemoryOfConnectionsBy : public testing::TestWithParam<Lane> {
   MemoryOfConnectionsBy() {
     for (suture::Manager* const one : {&museum_, &town_}) addEncodedLane(*one);
     museum_.add("Wall", wall_);
+    museum_.add("Panel", panel_);
     museum_.add("Castle", castle_);
     museum_.start();
     town_.add("Visitor", visitor_);
@@ -53,6 +55,7 @@ class MemoryOfConnectionsBy : public testing::TestWithParam<Lane> {
 
   const suture::TemporaryDirectory directory_;
   WallTask wall_;
+  WallDevice panel_;
   HallDevice castle_;
   Visitor visitor_;
   Decorator decorator_;
@@ -85,12 +88,52 @@ TEST_P(MemoryOfConnectionsBy, IsRefusedBeyondThePeersShare) {
 
 // The provider would need more than 2 GiB if it kept what is over.
 TEST_P(MemoryOfConnectionsBy, IsGivenBack) {
-  for (int lap = 0; lap < 60; ++lap) {
-    ASSERT_TRUE(suture::eventually([this] {
-      return suture::refusal([this] { connect("Visitor/Gallery", "museum:Wall/Gallery"); }) == "";
-    })) << lap;
-    town_.disconnect("Visitor/Gallery");
+  for (const char* const to : {"museum:Wall/Gallery", "museum:Panel/Gallery"}) {
+    for (int lap = 0; lap < 60; ++lap) {
+      ASSERT_TRUE(suture::eventually([this, to] {
+        return suture::refusal([this, to] { connect("Visitor/Gallery", to); }) == "";
+      })) << to
+          << lap;
+      town_.disconnect("Visitor/Gallery");
+    }
   }
+}
+
+/// Returns how many of the visitors find room at the device before its peer's memory is full.
+int fill(suture::Manager& town, std::size_t visitors) {
+  int connected = 0;
+  for (std::size_t one = 0; one < visitors; ++one) {
+    const std::string name = "Visitor" + std::to_string(one) + "/Gallery";
+    const std::string refused =
+        suture::refusal([&] { town.connect(name, "museum:Panel/Gallery", {.lane = Lane::Shm}); });
+    if (!refused.empty()) break;
+    ++connected;
+  }
+  for (int one = 0; one < connected; ++one) {
+    town.disconnect("Visitor" + std::to_string(one) + "/Gallery");
+  }
+  return connected;
+}
+
+// A device has no cycle in which it would let go of the connections that have ended.
+TEST(MemoryOfConnectionsToADevice, IsGivenBackOnceFull) {
+  const suture::TemporaryDirectory directory;
+  WallDevice panel;
+  std::vector<Visitor> visitors(60);
+  suture::rpc::ControlThread control;
+  const suture::GlobalManager names(control, "unix:" + directory.file("m.sock"));
+  suture::Manager museum("museum", names.address()), town("town", names.address());
+  museum.add("Panel", panel);
+  museum.start();
+  for (std::size_t one = 0; one < visitors.size(); ++one) {
+    town.add("Visitor" + std::to_string(one), visitors[one]);
+  }
+  town.start();
+  const int room = fill(town, visitors.size());
+  EXPECT_LT(room, 60) << "the memory is full before all have come";
+  EXPECT_TRUE(suture::eventually([&] { return fill(town, visitors.size()) == room; }));
+  town.stop();
+  museum.stop();
 }
 
 class MemoryOfConnections : public testing::Test {

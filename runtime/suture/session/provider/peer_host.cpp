@@ -66,6 +66,12 @@ void PeerHost::forgetClosed() {
   std::erase_if(served_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
 }
 
+void PeerHost::sweep() {
+  for (const Component* const component : directory_.components()) {
+    for (ProvidedBase* const provided : component->provided()) provided->sweep();
+  }
+}
+
 void PeerHost::remember(std::shared_ptr<Channel> channel) {
   forgetClosed();
   const std::lock_guard lock(mutex_);

@@ -62,6 +62,8 @@ class PeerHost {
   /// Drops the closed channels of a client that stays. The last ones of a client that leaves are
   /// kept for the reports until another client connects.
   void forgetClosed();
+  /// Lets go of the channels of devices that have ended: a device has no cycle in which it would.
+  void sweep();
 
   rpc::ControlThread& control_;
   const Lanes& lanes_;

@@ -173,6 +173,7 @@ std::optional<Refusal> PeerServer::whyNoMemory(const Endpoint& endpoint,
   auto beyond = host_.memory_.hold(share, bytes);
   if (beyond) {
     host_.forgetClosed();  // they are kept for reports only
+    host_.sweep();
     beyond = host_.memory_.hold(share, bytes);
   }
   if (!beyond) return std::nullopt;

@@ -13,7 +13,8 @@
 namespace suture {
 
 /// Belongs to the control thread. What a connection will need is held before it is built, and until
-/// the last thread has dropped its channel, because a task that hangs keeps those that are over.
+/// the last thread has dropped its channel. A task drops those that are over in its cycles, so one
+/// that hangs or is stopped keeps them; those of a device are swept by the control thread.
 class ChannelMemory {
  public:
   static constexpr rpc::PeerBudget::Limits kLimits{.peer = std::size_t{2} << 30,
