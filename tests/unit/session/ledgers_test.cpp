@@ -34,7 +34,7 @@ class LedgersTest : public testing::Test {
     return ledger->before(*channel).ended;
   }
 
-  Ledgers ledgers_;
+  Ledgers ledgers_{ConnectionEnd::Provider};
 };
 
 TEST_F(LedgersTest, ForgetNothingWithinTheBound) {
