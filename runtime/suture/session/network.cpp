@@ -277,6 +277,7 @@ class Network::Impl {
 
   void forget(const std::string& required) {
     connections_.erase(required);
+    ledgers_.letGo();
     const std::lock_guard lock(mutex_);
     const auto found = connected_.find(required);
     if (found == connected_.end()) return;

@@ -45,6 +45,22 @@ TEST_F(SharedConnections, GiveEverythingBack) {
   expectEverythingGivenBack(Lane::Shm);
 }
 
+// Both ends are in this process, and each remembers what every connection has counted.
+TEST_F(SharedConnections, GiveTheMemoryOfManyNamesBack) {
+  for (int i = 0; i < 40; ++i) others.push_back(std::make_unique<Teleop>());
+  begin(unixAddress());
+  connect(Lane::Shm);
+  const std::size_t before = openMemory();
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const std::string client = "Other" + std::to_string(i) + "/Slave";
+    console->connect(client, "robot:PSM/Arm", {.lane = Lane::Shm});
+    ASSERT_TRUE(eventually([&] { return others[i]->reachable.load(); }));
+    console->disconnect(client);
+    ASSERT_TRUE(eventually([&] { return !others[i]->reachable; }));
+  }
+  EXPECT_LE(openMemory(), before + 6) << "those that ended last may still go";
+}
+
 // The process has one descriptor table for both ends, and the socket of frames stands already.
 TEST_F(SharedConnections, AMissingDescriptorIsTold) {
   others.push_back(std::make_unique<Teleop>());

@@ -2,9 +2,16 @@
 
 namespace suture {
 
+void Ledgers::letGo() {
+  for (const auto& [peer, known] : peers_) {
+    for (const auto& [name, account] : known.accounts) account.ledger->letGo();
+  }
+}
+
 // Attempts that are under way at the same time share one ledger.
 std::shared_ptr<Ledger> Ledgers::of(const std::string& peer, const std::string& name,
                                     std::uint64_t client) {
+  letGo();
   const bool named = client != 0;  // else the process is too old to tell an incarnation
   auto history = Ledger::History::Whole;
   if (const auto known = peers_.find(peer); known != peers_.end()) {

@@ -32,6 +32,8 @@ class Ledgers {
   /// Keeps the sums of a connection that has been accepted.
   void keep(const std::string& peer, const std::string& name, std::uint64_t client,
             std::shared_ptr<Ledger> ledger);
+  /// Lets go of the memory of connections that have ended: only their sums are kept.
+  void letGo();
 
  private:
   struct Account {

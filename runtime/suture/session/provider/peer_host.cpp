@@ -62,6 +62,7 @@ std::vector<std::shared_ptr<Channel>> PeerHost::served() const {
 }
 
 void PeerHost::forgetClosed() {
+  ledgers_.letGo();
   const std::lock_guard lock(mutex_);
   std::erase_if(served_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
 }

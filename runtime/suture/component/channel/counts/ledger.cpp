@@ -37,7 +37,9 @@ Ledger::Group Ledger::Group::operator+(const Group& other) const {
 }
 
 // At the provider's end the lane is the sender, and what it puts in has been accepted.
-Ledger::Group Ledger::groupOf(const ChannelCounts& counts) const {
+Ledger::Group Ledger::groupOf(const Entry& entry) const {
+  if (entry.counts == nullptr) return entry.last;
+  const ChannelCounts& counts = *entry.counts;
   const rt::MailboxCounters& commands = *counts.commands;
   Group group;
   group.own = counts.own(end_);
@@ -54,15 +56,15 @@ Ledger::Group Ledger::groupOf(const ChannelCounts& counts) const {
 }
 
 void Ledger::fold() {
-  if (entries_.empty()) return;
   std::vector<Entry> kept;
   for (Entry& entry : entries_) {
-    const bool latest = &entry == &entries_.back();
-    if (latest || !entry.channel.expired()) {
+    if (!entry.channel.expired()) {
       kept.push_back(std::move(entry));
+    } else if (&entry == &entries_.back()) {
+      kept.push_back({{}, nullptr, entry.otherProcess, groupOf(entry)});
     } else {
       Group& group = entry.otherProcess == otherProcess_ ? ended_ : gone_;
-      group = group + groupOf(*entry.counts);
+      group = group + groupOf(entry);
     }
   }
   entries_ = std::move(kept);
@@ -109,8 +111,8 @@ Earlier Ledger::before(const Channel& latest) {
   Group group = ended_;
   bool ended = history_ == History::Whole;
   for (const Entry& entry : entries_) {
-    if (entry.counts == latest.counts) continue;
-    group = group + groupOf(*entry.counts);
+    if (entry.channel.lock().get() == &latest) continue;
+    group = group + groupOf(entry);
     ended = ended && entry.channel.expired();
   }
   return {group.own, ended};
@@ -122,7 +124,7 @@ Ledger::Groups Ledger::groups() const {
     const bool latest = &entry == &entries_.back();
     const bool gone = entry.otherProcess != otherProcess_;
     Group& group = gone ? all.gone : latest ? all.latest : all.earlier;
-    group = group + groupOf(*entry.counts);
+    group = group + groupOf(entry);
   }
   return all;
 }
@@ -164,7 +166,12 @@ void Ledger::divideOpen(const Groups& all, const Channel* latest, Sums& sums) co
 
 bool Ledger::isLatest(const Channel& channel) const {
   const std::lock_guard lock(mutex_);
-  return !entries_.empty() && entries_.back().counts == channel.counts;
+  return !entries_.empty() && entries_.back().channel.lock().get() == &channel;
+}
+
+void Ledger::letGo() {
+  const std::lock_guard lock(mutex_);
+  fold();
 }
 
 }  // namespace suture

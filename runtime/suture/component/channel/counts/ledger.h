@@ -63,13 +63,11 @@ class Ledger {
   Sums sums() const;
   /// Returns false for a channel that another has followed.
   bool isLatest(const Channel& channel) const;
+  /// Keeps only the sums of the channels that are gone. Their counts may lie in a block of memory
+  /// that another process maps too, with all their queues.
+  void letGo();
 
  private:
-  struct Entry {
-    std::weak_ptr<Channel> channel;
-    std::shared_ptr<const ChannelCounts> counts;
-    std::uint64_t otherProcess;
-  };
   /// Sums up several channels.
   struct Group {
     std::uint64_t accepted = 0, lost = 0, eventsDelivered = 0;
@@ -78,12 +76,18 @@ class Ledger {
     Group operator+(const Group& other) const;
     std::uint64_t open() const;
   };
+  struct Entry {
+    std::weak_ptr<Channel> channel;
+    std::shared_ptr<const ChannelCounts> counts;  // null: the channel is gone, and had `last`
+    std::uint64_t otherProcess;
+    Group last{};
+  };
 
   struct Groups {
     Group gone, earlier, latest;
   };
   Groups groups() const;
-  Group groupOf(const ChannelCounts& counts) const;
+  Group groupOf(const Entry& entry) const;
   /// Divides the commands without an outcome into lost, unknown and under way.
   void divideOpen(const Groups& all, const Channel* latest, Sums& sums) const;
   void fold();
