@@ -35,19 +35,14 @@ class Growing {
     return side;
   }
   /// The peer sends a piece for the latest connection, which the link takes.
-  void grow() {
-    const Header header{.kind = Kind::Piece,
-                        .number = static_cast<std::uint16_t>(Kind::Event),
-                        .call = 16u << 20,
-                        .connection = number_};
-    std::memset(writer_.begin(header, kMostPayload), 0, kMostPayload);
-    writer_.finish();
-    rpc::sendAll(sockets_.theirs, writer_.unsent());
-    writer_.sent(writer_.unsent().size());
-    std::array<char, 4096> heard;
-    while (recv(sockets_.theirs, heard.data(), heard.size(), MSG_DONTWAIT) > 0) continue;
-    link.arrived();
-    link.turn();
+  void grow() { take(Kind::Piece, Kind::Event, 16u << 20); }
+  /// The peer sends a value of so many pieces, which the link takes and drops: it answers a call
+  /// that is no longer known.
+  void takeWhole(std::uint32_t pieces) {
+    for (std::uint32_t i = 1; i < pieces; ++i) {
+      take(Kind::Piece, Kind::Reply, pieces * static_cast<std::uint32_t>(kMostPayload));
+    }
+    take(Kind::Reply, Kind{}, 99);
   }
   /// Returns how many pieces the link takes until it has no more room for them.
   int room() {
@@ -60,6 +55,21 @@ class Growing {
   }
 
  private:
+  void take(Kind kind, Kind ofWhole, std::uint32_t call) {
+    const Header header{.kind = kind,
+                        .number = static_cast<std::uint16_t>(ofWhole),
+                        .call = call,
+                        .connection = number_};
+    std::memset(writer_.begin(header, kMostPayload), 0, kMostPayload);
+    writer_.finish();
+    rpc::sendAll(sockets_.theirs, writer_.unsent());
+    writer_.sent(writer_.unsent().size());
+    std::array<char, 4096> heard;
+    while (recv(sockets_.theirs, heard.data(), heard.size(), MSG_DONTWAIT) > 0) continue;
+    link.arrived();
+    link.turn();
+  }
+
   rpc::SocketPair sockets_ = rpc::makeSocketPair();
   FrameWriter writer_{1};
   std::uint32_t number_ = 0;
@@ -101,6 +111,20 @@ TEST(Surplus, IsOfTheBudgetOfTheProcess) {
   EXPECT_TRUE(contains(second.whyNot(), "the unfinished messages of all peers would need"));
   first.giveBack(kMostPayload);
   EXPECT_TRUE(second.take(4 * kMostPayload));
+}
+
+// A value that has been taken is no unfinished message any more.
+TEST(Surplus, ComesBackOnceAValueIsTaken) {
+  const auto budget = budgetOf(10 * kMostPayload, 100 * kMostPayload);
+  const auto share = [&] { return std::make_unique<rpc::PeerBudget::Share>(budget, "the peer"); };
+  Growing first(share()), second(share());
+  for (Growing* const one : {&first, &second}) one->add();
+  for (int lap = 0; lap < 3; ++lap) {
+    for (Growing* const one : {&first, &second}) {
+      one->takeWhole(6);
+      ASSERT_FALSE(one->link.broken()) << one->link.refusal();
+    }
+  }
 }
 
 // The thread that ends a connection does so at any moment of a turn.

@@ -31,7 +31,9 @@ bool Connection::arrived(const Header& header, std::span<std::byte> payload) {
   if (!window_.takes(header)) return false;
   if (header.kind == Kind::Acknowledge) return true;
   if (header.kind != Kind::Piece) {
-    return pieces_.complete(header, payload, *surplus_) && take(header, payload);
+    const bool right = pieces_.complete(header, payload, *surplus_) && take(header, payload);
+    pieces_.taken(*surplus_);
+    return right;
   }
   if (!pieces_.add(header, payload, *surplus_)) return false;
   takePart(static_cast<Kind>(header.number), pieces_.gathered());

@@ -24,6 +24,14 @@ bool Pieces::complete(const Header& header, std::span<std::byte>& payload, Surpl
   return true;
 }
 
+void Pieces::taken(Surplus& surplus) {
+  if (gathered_ != 0 || this->surplus() == 0) return;
+  const std::size_t beyond = this->surplus();
+  storage_.resize(own_ / sizeof(std::uint64_t));
+  storage_.shrink_to_fit();
+  surplus.giveBack(beyond);
+}
+
 bool Pieces::append(std::span<const std::byte> more, Surplus& surplus) {
   const std::size_t words = wordBytes(gathered_ + more.size()) / sizeof(std::uint64_t);
   if (storage_.size() < words) {

@@ -12,13 +12,14 @@
 
 namespace suture::frame {
 
-/// One thread. Joins the pieces of one connection. Memory grows as they come, and is kept: only a
-/// value that is larger than all before it allocates.
+/// One thread. Joins the pieces of one connection. Memory grows as they come. What the contract
+/// here may need is kept, so only a value that is larger than all before it, or than those of the
+/// contract, allocates.
 class Pieces {
  public:
   /// `own` is the size of the largest payload that this process's contract has; `limit` bounds all
   /// payloads.
-  Pieces(std::size_t own, std::size_t limit) : own_(own), limit_(limit) {}
+  Pieces(std::size_t own, std::size_t limit) : own_(wordBytes(own)), limit_(limit) {}
 
   /// Takes a Piece. Returns false if it cannot be right, or `surplus` has nothing left for it.
   bool add(const Header& header, std::span<const std::byte> piece, Surplus& surplus);
@@ -28,6 +29,9 @@ class Pieces {
   /// it; it is valid until the next call, at a word. Returns false if the frame is not the end of
   /// them.
   bool complete(const Header& header, std::span<std::byte>& payload, Surplus& surplus);
+  /// Call it when a payload that complete() returned is no longer used: gives back to `surplus`
+  /// what the contract here does not need.
+  void taken(Surplus& surplus);
   /// Returns how much of the link's surplus this has taken.
   std::size_t surplus() const { return surplusOf(storage_.size()); }
 
