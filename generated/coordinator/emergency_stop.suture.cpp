@@ -132,7 +132,7 @@ constexpr char kEmergencyStopDescription[] = R"json(
 "clock": "steady"}}, {"name": "is_start", "wire": "isStart",
 "doc": "This is true if nobody has pressed it: the coordinator has just started, and starts pressed.",
 "type": {"kind": "Bool"}, "default": false}, {"name": "press",
-"doc": "Identifies the last press, and so does release(). Each press has a larger one than all before,\nthose of a coordinator that ran before on the same machine too.",
+"doc": "Identifies the last press, and so does release(). No two presses have the same one, nor has\none of a coordinator that ran before.",
 "type": {"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0x85a101cfc49eccfc",
 "kind": "interface", "name": "EmergencyStop", "cxx": "robots::EmergencyStop", "major": 2,
 "version": 2, "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",

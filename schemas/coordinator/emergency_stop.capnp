@@ -26,8 +26,8 @@ struct StopNews @0xcd5512b8a090183f $Meta.cxx("robots::StopNews") {
   isStart @2 :Bool $Meta.cxx("is_start");
   # This is true if nobody has pressed it: the coordinator has just started, and starts pressed.
   press @3 :UInt64;
-  # Identifies the last press, and so does release(). Each press has a larger one than all before,
-  # those of a coordinator that ran before on the same machine too.
+  # Identifies the last press, and so does release(). No two presses have the same one, nor has
+  # one of a coordinator that ran before.
 }
 
 interface EmergencyStop @0x85a101cfc49eccfc $Meta.cxx("robots::EmergencyStop") $Meta.major(2)
