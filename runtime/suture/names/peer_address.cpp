@@ -7,6 +7,7 @@
 #include <charconv>
 #include <csignal>
 #include <filesystem>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -36,6 +37,7 @@ rpc::Address socketOf(const fs::path& directory, const std::string& process, pid
 
 /// Returns the process that a socket named `name` belongs to; 0 if that is none of ours.
 pid_t ownerOf(std::string_view name, std::string_view process) {
+  if (name.size() < process.size() + kEnd.size()) return 0;
   if (!name.starts_with(process) || !name.ends_with(kEnd)) return 0;
   name.remove_prefix(process.size());
   name.remove_suffix(kEnd.size());
@@ -46,20 +48,23 @@ pid_t ownerOf(std::string_view name, std::string_view process) {
   return error == std::errc{} && stop == name.data() + name.size() ? owner : 0;
 }
 
-// A process that this one cannot see may have that number and live: then its socket answers.
-bool isLeftOver(const fs::path& file, const std::string& process) {
-  const std::string name = file.filename().string();
-  if (name.size() < process.size() + kEnd.size()) return false;
-  const pid_t owner = ownerOf(name, process);
-  if (owner <= 0 || kill(owner, 0) == 0 || errno != ESRCH) return false;
-  return rpc::Listener::isStale(socketAt(file));
+/// Returns the path of the socket that a file belongs to.
+fs::path socketBehind(const fs::path& file) {
+  return file.extension() == rpc::Listener::kLockEnd ? fs::path(file).replace_extension() : file;
 }
 
+bool isGone(pid_t process) { return process > 0 && kill(process, 0) != 0 && errno == ESRCH; }
+
+// A process that this one cannot see may have that number and live: then its socket answers, or its
+// lock is held, and both stay.
 void removeLeftovers(const fs::path& directory, const std::string& process) {
   std::error_code ignored;
+  std::set<fs::path> left;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, ignored)) {
-    if (isLeftOver(entry.path(), process)) fs::remove(entry.path(), ignored);
+    const fs::path socket = socketBehind(entry.path());
+    if (isGone(ownerOf(socket.filename().string(), process))) left.insert(socket);
   }
+  for (const fs::path& socket : left) rpc::Listener::removeLeftover(socketAt(socket));
 }
 
 }  // namespace

@@ -48,26 +48,35 @@ bool isOtherThanASocket(const Address& address) {
 
 /// A BindLock is held from before a Unix socket is bound until it listens, because in between it
 /// looks like one that a dead process left behind. The kernel takes it from a process that dies;
-/// the file that stays then is in nobody's way.
+/// the file that stays then is in nobody's way. Where the file system has no locks, it keeps
+/// nobody out.
 class BindLock {
  public:
   explicit BindLock(const Address& address) {
     if (address.kind != Address::Kind::Unix) return;
-    path_ = address.path + ".lock";
+    path_ = address.path + std::string(Listener::kLockEnd);
     do {
       const int opened = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-      if (opened < 0) cannotListen(address, errno);
+      error_ = opened < 0 ? errno : 0;
+      if (error_ != 0) return;
       file_ = kj::AutoCloseFd(opened);
-      if (flock(file_, LOCK_EX | LOCK_NB) != 0) cannotListen(address, EADDRINUSE);
-    } while (!isThere());  // another has removed it after this opened it
+      error_ = flock(file_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+      if (hasNoLocks(error_)) error_ = 0;
+    } while (error_ == 0 && !isThere());  // another has removed it after this opened it
   }
   ~BindLock() {
-    if (file_ != nullptr) unlink(path_.c_str());
+    if (file_ != nullptr && error_ == 0) unlink(path_.c_str());
   }
   BindLock(const BindLock&) = delete;
   BindLock& operator=(const BindLock&) = delete;
 
+  /// Returns why it is not held, as errno says it; EADDRINUSE: another holds it.
+  int error() const { return error_ == EWOULDBLOCK ? EADDRINUSE : error_; }
+
  private:
+  static bool hasNoLocks(int error) {
+    return error == ENOLCK || error == EOPNOTSUPP || error == ENOSYS;
+  }
   bool isThere() const {
     struct stat ours {
     }, there{};
@@ -77,10 +86,21 @@ class BindLock {
 
   std::string path_;
   kj::AutoCloseFd file_;
+  int error_ = 0;
 };
+
+bool isStale(const Address& address) {
+  struct stat status {};
+  if (address.kind != Address::Kind::Unix || stat(address.path.c_str(), &status) != 0) return false;
+  if (!S_ISSOCK(status.st_mode)) return false;
+  const kj::AutoCloseFd probe = openSocket(address);
+  const SocketAddress target(address);
+  return connect(probe, target.get(), target.length) != 0 && errno == ECONNREFUSED;
+}
 
 kj::AutoCloseFd bindTo(const Address& address, Listener::Opens opens) {
   const BindLock lock(address);
+  if (lock.error() != 0) cannotListen(address, lock.error());
   const Address place = lookUp(address).front();
   kj::AutoCloseFd listening = openSocket(place);
   const int on = 1;
@@ -92,7 +112,7 @@ kj::AutoCloseFd bindTo(const Address& address, Listener::Opens opens) {
   const SocketAddress target(place);
   if (bind(listening, target.get(), target.length) != 0) {
     const int error = errno;
-    if (error != EADDRINUSE || !Listener::isStale(address)) cannotListen(address, error);
+    if (error != EADDRINUSE || !isStale(address)) cannotListen(address, error);
     unlink(address.path.c_str());
     if (bind(listening, target.get(), target.length) != 0) cannotListen(address, errno);
   }
@@ -116,13 +136,9 @@ ino_t inodeOf(const std::string& path) {
 
 }  // namespace
 
-bool Listener::isStale(const Address& address) {
-  struct stat status {};
-  if (address.kind != Address::Kind::Unix || stat(address.path.c_str(), &status) != 0) return false;
-  if (!S_ISSOCK(status.st_mode)) return false;
-  const kj::AutoCloseFd probe = openSocket(address);
-  const SocketAddress target(address);
-  return connect(probe, target.get(), target.length) != 0 && errno == ECONNREFUSED;
+void Listener::removeLeftover(const Address& address) {
+  const BindLock lock(address);  // its own file goes with it
+  if (lock.error() == 0 && isStale(address)) unlink(address.path.c_str());
 }
 
 Listener::Listener(EventPort& port, const Address& address, Opens opens)

@@ -29,8 +29,12 @@ class Listener {
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
-  /// Any thread. Returns true for the address of a socket file at which nobody answers.
-  static bool isStale(const Address& address);
+  /// The file of this name behind that of a Unix socket is locked until somebody listens there.
+  static constexpr std::string_view kLockEnd = ".bind";
+
+  /// Any thread. Removes what a process has left at the address of a Unix socket, unless one
+  /// listens there or is about to.
+  static void removeLeftover(const Address& address);
 
   /// Returns where it really listens, with the port that was picked.
   const Address& address() const { return address_; }

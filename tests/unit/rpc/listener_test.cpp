@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <barrier>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <thread>
@@ -174,7 +175,7 @@ TEST_P(UnixListenerTest, AStaleSocketFileIsReplaced) {
 // A socket that is bound, and at which nobody listens yet, looks like one that was left behind.
 TEST_P(UnixListenerTest, ABoundSocketIsLeftAlone) {
   const Address address = Address::parse(freshAddress());
-  const std::string lock = address.path + ".lock";
+  const std::string lock = address.path + ".bind";
   kj::AutoCloseFd held(open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
   ASSERT_EQ(flock(held, LOCK_EX), 0);
   const kj::AutoCloseFd beginning = boundAt(address);
@@ -185,6 +186,22 @@ TEST_P(UnixListenerTest, ABoundSocketIsLeftAlone) {
   held = nullptr;
   const Listener listener(port_, address);  // it has died
   EXPECT_NE(stat(lock.c_str(), &status), 0) << "the lock stays behind";
+}
+
+// Users name their own files.
+TEST_P(UnixListenerTest, AUsersLockIsLeftAlone) {
+  const Address address = Address::parse(freshAddress());
+  std::ofstream(address.path + ".lock") << "notes";
+  { const Listener listener(port_, address); }
+  std::string content;
+  std::ifstream(address.path + ".lock") >> content;
+  EXPECT_EQ(content, "notes");
+}
+
+TEST_P(UnixListenerTest, AFailedLockSaysWhy) {
+  const Address address = Address::parse(freshAddress());
+  std::filesystem::create_directory(address.path + ".bind");
+  EXPECT_TRUE(contains(refusal([&] { Listener(port_, address); }), "Is a directory. Check that"));
 }
 
 // Each of several may find that nobody answers, before the first of them listens.

@@ -1,11 +1,17 @@
 // A process listens next to its manager, in a folder whose name it did not choose.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <kj/io.h>
 #include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
+#include <suture/net/socket.h>
+#include <sys/file.h>
+#include <sys/socket.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "support/contains.h"
@@ -49,6 +55,39 @@ TEST(SocketPath, ATooLongOwnPathIsTold) {
     if (one.path().filename() != "m.sock") ++files;
   }
   EXPECT_EQ(files, 0u) << "a socket of another name stays behind";
+}
+
+/// Leaves a socket behind, as a process does that is killed.
+void leaveSocket(const std::string& path) {
+  rpc::Address address;
+  address.path = path;
+  const kj::AutoCloseFd bound(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const rpc::SocketAddress target(address);
+  EXPECT_EQ(bind(bound, target.get(), target.length), 0);
+}
+
+// The numbers are larger than the kernel gives to a process.
+TEST(SocketPath, LeftoversOfItsNameAreRemoved) {
+  const TemporaryDirectory directory;
+  const std::string killed = directory.file("arm.99999998.sock"),
+                    locked = directory.file("arm.99999999.sock.bind"),
+                    begun = directory.file("arm.99999997.sock"),
+                    other = directory.file("arm.tool.99999999.sock.bind");
+  leaveSocket(killed);
+  std::ofstream(locked) << "";
+  std::ofstream(other) << "";
+  leaveSocket(begun);
+  const kj::AutoCloseFd held(open((begun + ".bind").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+  ASSERT_EQ(flock(held, LOCK_EX), 0);
+  rpc::ControlThread control;
+  const GlobalManager names(control, "unix:" + directory.file("m.sock"));
+  const Manager process("arm", names.address());
+  EXPECT_FALSE(std::filesystem::exists(killed));
+  EXPECT_FALSE(std::filesystem::exists(killed + ".bind"));
+  EXPECT_FALSE(std::filesystem::exists(locked)) << "a process died while it began to listen";
+  EXPECT_TRUE(std::filesystem::exists(begun)) << "an unseen process begins to listen there";
+  EXPECT_TRUE(std::filesystem::exists(begun + ".bind"));
+  EXPECT_TRUE(std::filesystem::exists(other)) << "the process has another name";
 }
 
 }  // namespace
