@@ -7,6 +7,7 @@
 #include <suture/loop/failure.h>
 
 #include <string>
+#include <thread>
 
 #include "reference/played_client.h"
 #include "reference/remote_arm.h"
@@ -49,6 +50,32 @@ class HopefulLane final : public LaneKind {
     void opened(LaneSocket) override {}
   };
 };
+
+/// Could carry a connection if it did not fail.
+class FailingLane final : public LaneKind {
+ public:
+  explicit FailingLane(const char* name) : name_(name) {}
+  const char* name() const override { return name_; }
+  kj::Own<LaneClient> makeClient(ClientSession&) override { return kj::heap<Client>(name_); }
+  kj::Own<LaneServer> makeServer(ServerSession&) override { return {}; }
+
+ private:
+  struct Client final : LaneClient {
+    explicit Client(const char* name) : name_(name) {}
+    std::string whyNot(const OutgoingConnection&) const override { return ""; }
+    kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection&) override {
+      return rpc::failure(kj::Exception::Type::FAILED, std::string(name_) + " is broken");
+    }
+    const char* const name_;
+  };
+  const char* const name_;
+};
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
 
 class LaneChoice : public RemoteArm {
  protected:
@@ -186,6 +213,25 @@ TEST_F(LaneChoice, NoLaneJoinsStandingConnections) {
   console->disconnect("Teleop/Slave");
   console->addLane(std::make_unique<HopefulLane>());
   EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}), "has no lane 'hope'"));
+}
+
+// The provider is started again without the lane, so the client tries all of them again and again.
+TEST_F(LaneChoice, EachFailingLaneIsToldOnce) {
+  begin(kTcp);
+  for (const char* const name : {"one", "two"}) {
+    console->addLane(std::make_unique<FailingLane>(name));
+  }
+  for (Manager* const process : {console.get(), robot.get()}) {
+    process->addLane(std::make_unique<frame::FrameLane>("last"));
+  }
+  testing::internal::CaptureStderr();
+  connect({"one"});
+  restartRobot();
+  EXPECT_TRUE(eventually([&] { return !console->whyNotBack().empty(); }));
+  std::this_thread::sleep_for(1s);
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(occurrences(told, "by lane 'one': one is broken"), 1u) << told;
+  EXPECT_EQ(occurrences(told, "by lane 'two': two is broken"), 1u) << told;
 }
 
 // A client that asked for it would get another.

@@ -223,8 +223,9 @@ void RemoteConnection::fillIn(wire::ConnectRequest::Builder request, const char*
 
 // The next lane is asked for, so only this tells what is wrong.
 std::string RemoteConnection::failed(const char* lane, std::string why) {
-  if (withoutNumbers(why) != withoutNumbers(whyFailed_)) listener_.failed(name(), lane, why);
-  whyFailed_ = why;
+  std::string& told = whyFailed_[lane];
+  if (withoutNumbers(why) != withoutNumbers(told)) listener_.failed(name(), lane, why);
+  told = why;
   return why;
 }
 
@@ -245,7 +246,8 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::begin(LaneAttempt& attempt
   std::sort(lacking.begin(), lacking.end());
   return attempt.open(std::move(connection), accepted.getAnswer())
       .then(
-          [this, results = kj::mv(results)](OpenedEnd&& opened) -> Reason {
+          [this, lane, results = kj::mv(results)](OpenedEnd&& opened) -> Reason {
+            whyFailed_.erase(lane);
             use(kj::mv(opened), results.getAccepted());
             return nullptr;
           },

@@ -10,6 +10,7 @@
 #include <suture/wiring/endpoint.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -102,8 +103,9 @@ class RemoteConnection {
   Duration limit_{0};       // for each answer, in this attempt
   std::string laneReason_;  // why it is not a faster lane
   std::string whyNotBack_;  // as it was told since the last loss
-  std::string whyFailed_;   // what failed() has told last
-  EventSet asked_ = 0;      // the events that were subscribed to when it was asked
+  // What failed() has told last of each lane that has not carried it since.
+  std::map<std::string, std::string> whyFailed_;
+  EventSet asked_ = 0;  // the events that were subscribed to when it was asked
   std::shared_ptr<PeerSession> session_;
   kj::Maybe<wire::Connection::Client> connection_;
   kj::Maybe<kj::Own<ProviderNews>> news_;
