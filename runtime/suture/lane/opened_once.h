@@ -35,6 +35,8 @@ class OpenedOnce {
     return kj::mv(pair.promise);
   }
 
+  /// Returns true if it is open, or is being opened.
+  bool begun() const { return opening_ || held() != nullptr; }
   /// Returns what is open; nullptr: nothing, or the last reference has gone.
   Opened held() const { return opened_.lock(); }
 

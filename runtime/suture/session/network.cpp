@@ -94,7 +94,7 @@ class Network::Impl {
                        "Give it a name of its own");
     }
     const bool added = run(control_, kLocalWork, [this, &lane] {
-      const bool early = connections_.empty();
+      const bool early = connections_.empty() && !sessions_->any();
       if (early) lanes_.push_back(std::move(lane));
       return early;
     });

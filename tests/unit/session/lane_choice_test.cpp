@@ -215,6 +215,18 @@ TEST_F(LaneChoice, NoLaneJoinsStandingConnections) {
   EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}), "has no lane 'hope'"));
 }
 
+// The next connection would join the session that is being made, which has the lanes of before.
+TEST_F(LaneChoice, NoLaneJoinsADialUnderWay) {
+  begin(kTcp);
+  console->giveUp();
+  EXPECT_TRUE(contains(
+      refusal([&] { console->connect("Teleop/Slave", "nobody:PSM/Arm", {.patience = 60s}); }),
+      "told to end while it waited"));
+  EXPECT_TRUE(
+      contains(refusal([&] { console->addLane(std::make_unique<HopefulLane>()); }),
+               "adding lane 'hope': this process has connections, whose sessions do not know it"));
+}
+
 // The provider is started again without the lane, so the client tries all of them again and again.
 TEST_F(LaneChoice, EachFailingLaneIsToldOnce) {
   begin(kTcp);

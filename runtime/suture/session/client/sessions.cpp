@@ -22,6 +22,10 @@ kj::Promise<std::shared_ptr<PeerSession>> Sessions::open(const std::string& proc
   });
 }
 
+bool Sessions::any() const {
+  return std::ranges::any_of(known_, [](const auto& one) { return one.second.session.begun(); });
+}
+
 kj::Promise<std::shared_ptr<PeerSession>> Sessions::dial(const std::string& process,
                                                          Duration patience, Duration limit) {
   using Opened = std::shared_ptr<PeerSession>;

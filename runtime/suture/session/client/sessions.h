@@ -23,6 +23,9 @@ class Sessions {
   kj::Promise<std::shared_ptr<PeerSession>> open(const std::string& process, Duration patience,
                                                  Duration limit);
 
+  /// Returns true if there is one, or one is being opened, be it that nobody waits for it any more.
+  bool any() const;
+
  private:
   struct Known {
     OpenedOnce<PeerSession> session;
