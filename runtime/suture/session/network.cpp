@@ -128,7 +128,8 @@ class Network::Impl {
                 connected_[name] = std::move(channel);
               },
           .lost =
-              [this](const std::string& channel, std::string why) {
+              [this, name](const std::string& channel, std::string why) {
+                if (!connections_.contains(name)) return;  // the news crossed its end
                 std::lock_guard lock(mutex_);
                 whyLost_[channel] = std::move(why);
                 whyNotBack_.erase(channel);
