@@ -1,6 +1,7 @@
 #include <suture/base/errors.h>
 #include <suture/framing/link_server.h>
 #include <suture/loop/control_thread.h>
+#include <suture/loop/run_to_the_end.h>
 #include <suture/names/global_manager.h>
 #include <suture/names/manager_session.h>
 #include <sys/stat.h>
@@ -65,7 +66,9 @@ GlobalManager::GlobalManager(rpc::ControlThread& control, const std::string& add
 }
 
 GlobalManager::~GlobalManager() {
-  control_.run(kPatience, [impl = std::move(impl_)]() mutable { impl.reset(); });
+  const std::string why =
+      rpc::runToTheEnd(control_, "suture-manager: waits to end: ", [this] { impl_.reset(); });
+  if (!why.empty()) printUnlessFull("suture-manager: " + why);
 }
 
 std::string GlobalManager::defaultAddress() {

@@ -2,6 +2,7 @@
 #include <suture/base/plain.h>
 #include <suture/lane/lanes.h>
 #include <suture/loop/deadline.h>
+#include <suture/loop/run_to_the_end.h>
 #include <suture/names/describe.h>
 #include <suture/names/manager_link.h>
 #include <suture/names/peer_address.h>
@@ -237,28 +238,21 @@ class Network::Impl {
         });
   }
 
-  // Ends what belongs to the control thread, in that thread. Nothing that it still uses may go
-  // before, so this waits for it, however long it is busy. Returns why it failed; "" if it did not.
+  // Ends what belongs to the control thread, in that thread. Returns why it failed; "" if it did
+  // not.
   std::string endThere() {
-    for (;;) {
-      try {
-        control_.run(kLocalWork, [this] {
-          connections_.clear();
-          sessions_.reset();
-          if (host_ != nullptr) host_->hangUp();
-          return kj::evalLast([this] {
-            host_.reset();
-            link_.reset();
-            givenUp_ = nullptr;
-            giveUp_ = nullptr;
-          });
-        });
-        return "";
-      } catch (const rpc::ControlFailure& failure) {
-        if (failure.kind() != rpc::ControlFailure::Kind::TimedOut) return failure.what();
-        printUnlessFull(directory_.process() + ": waits to end its connections: " + failure.what());
-      }
-    }
+    return rpc::runToTheEnd(control_,
+                            directory_.process() + ": waits to end its connections: ", [this] {
+                              connections_.clear();
+                              sessions_.reset();
+                              if (host_ != nullptr) host_->hangUp();
+                              return kj::evalLast([this] {
+                                host_.reset();
+                                link_.reset();
+                                givenUp_ = nullptr;
+                                giveUp_ = nullptr;
+                              });
+                            });
   }
 
   kj::Promise<void> tellIfLong(kj::Promise<void> awaited, const std::string& what) {

@@ -9,8 +9,15 @@
 #include <suture/names/manager_link.h>
 #include <suture/names/manager_session.h>
 #include <suture/net/dialer.h>
+#include <suture/rt/doorbell.h>
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
 
 #include "support/eventually.h"
+#include "support/pass.h"
 #include "support/patience.h"
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
@@ -333,6 +340,31 @@ TEST(ManagerLink, WaitsForAManagerToStart) {
   left.await();
   left.enrol();
   EXPECT_TRUE(left.knows("left"));
+}
+
+// Several may share a control thread, which one of them can keep busy for longer than that waits.
+TEST(GlobalManagerOfABusyThread, WaitsForItsControlThread) {
+  const TemporaryDirectory directory;
+  rpc::ControlThread control;
+  auto names = std::make_unique<GlobalManager>(control, "unix:" + directory.file("m.sock"));
+  std::atomic<bool> busy{true};
+  rt::Doorbell idle, ended;
+  control.post([&] {
+    while (busy) idle.wait();
+  });
+  testing::internal::CaptureStderr();
+  std::thread ending([&] {
+    names.reset();
+    ended.ring();
+  });
+  pass(30s);
+  busy = false;
+  idle.ring();
+  ended.wait();
+  ending.join();
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_NE(told.find("suture-manager: waits to end: the control thread hangs"), std::string::npos)
+      << told;
 }
 
 }  // namespace
