@@ -14,10 +14,10 @@ namespace suture {
 
 /// Belongs to the control thread. A peer is who has proved to be behind a connection; it chooses
 /// the names of connections. Those that begin here are of one peer without a name, as this process
-/// chooses them. So beyond a bound for each peer, the sums that it has used the longest
-/// time ago are dropped. From then on this process tells that peer no last counts for a name that
-/// it does not know, because it may have known it. Other peers, and names that it knows, notice
-/// nothing.
+/// chooses them. So beyond a bound for each peer, those sums are dropped whose connection was
+/// accepted the longest time ago. From then on this process tells that peer no last counts for a
+/// name that it does not know, because it may have known it. Other peers, and names that it knows,
+/// notice nothing.
 class Ledgers {
  public:
   /// `end` is the one that this process has.
