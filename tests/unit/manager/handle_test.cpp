@@ -1,6 +1,7 @@
 // Threads other than the tasks' hold these handles.
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
+#include <suture/component/channel/counts/ledger.h>
 #include <suture/component/device.h>
 #include <suture/component/task/event_task.h>
 #include <suture/component/task/periodic_task.h>
@@ -190,11 +191,11 @@ TEST_F(FreshHandles, LeaveNoReasonsBehind) {
 // The sums of a name outlive its handle, in case another has that name.
 TEST_F(FreshHandles, AreRememberedUpToABound) {
   constexpr int kMost = 1024;
-  std::weak_ptr<const ChannelCounts> first;
+  std::weak_ptr<const Ledger> first;
   for (int i = 0; i <= kMost; ++i) {
     const Handle<ArmLike> handle(both.here, "Gui" + std::to_string(i) + "/Arm", "there:PSM/Arm",
                                  {.lane = Lane::Frame});
-    if (i == 0) first = both.here.channels().at(0)->counts;
+    if (i == 0) first = both.here.channels().at(0)->terms.ledger;
     ASSERT_EQ(first.expired(), i == kMost) << i;
   }
 }
