@@ -1,6 +1,7 @@
 // These tests say what becomes of connections that might use frames.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <suture/frame.capnp.h>
 #include <suture/framing/preamble.h>
 #include <suture/lane/frame/bytes/frame_writer.h>
@@ -8,6 +9,7 @@
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -269,13 +271,26 @@ class Beginner : public Caller {
     for (int piece = 0; piece < 250; ++piece) {
       std::memset(writer_->begin(header, frame::kMostPayload), 0, frame::kMostPayload);
       writer_->finish();
-      const auto unsent = writer_->unsent();
-      if (send(socket_, unsent.data(), unsent.size(), MSG_NOSIGNAL) < 0) return;
-      writer_->sent(unsent.size());
+      while (!writer_->unsent().empty()) {
+        if (!sendSome()) return;
+      }
     }
   }
 
  private:
+  /// Returns false once the robot takes no more: it may have ended the link and keep its socket.
+  bool sendSome() {
+    pollfd ready{.fd = socket_, .events = POLLOUT | POLLRDHUP, .revents = 0};
+    poll(&ready, 1, -1);
+    if ((ready.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0) return false;
+    const auto unsent = writer_->unsent();
+    const ssize_t count =
+        ::send(socket_, unsent.data(), unsent.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (count < 0) return errno == EAGAIN;
+    writer_->sent(static_cast<std::size_t>(count));
+    return true;
+  }
+
   kj::AutoCloseFd socket_;
   std::uint32_t number_ = 0;
   std::optional<frame::FrameWriter> writer_;

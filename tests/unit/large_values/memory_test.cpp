@@ -105,7 +105,7 @@ int fill(suture::Manager& town, std::size_t visitors) {
   for (std::size_t one = 0; one < visitors; ++one) {
     const std::string name = "Visitor" + std::to_string(one) + "/Gallery";
     const std::string refused =
-        suture::refusal([&] { town.connect(name, "museum:Panel/Gallery", {.lane = Lane::Shm}); });
+        suture::refusal([&] { town.connect(name, "museum:Panel/Gallery", {.lane = Lane::Frame}); });
     if (!refused.empty()) break;
     ++connected;
   }
