@@ -241,18 +241,18 @@ class Network::Impl {
   // Ends what belongs to the control thread, in that thread. Returns why it failed; "" if it did
   // not.
   std::string endThere() {
-    return rpc::runToTheEnd(control_,
-                            directory_.process() + ": waits to end its connections: ", [this] {
-                              connections_.clear();
-                              sessions_.reset();
-                              if (host_ != nullptr) host_->hangUp();
-                              return kj::evalLast([this] {
-                                host_.reset();
-                                link_.reset();
-                                givenUp_ = nullptr;
-                                giveUp_ = nullptr;
-                              });
-                            });
+    const std::string who = directory_.process() + ": waits to end its connections: ";
+    return rpc::runToTheEnd(control_, who, [this] {
+      connections_.clear();
+      sessions_.reset();
+      if (host_ != nullptr) host_->hangUp();
+      return kj::evalLast([this] {
+        host_.reset();
+        link_.reset();
+        givenUp_ = nullptr;
+        giveUp_ = nullptr;
+      });
+    });
   }
 
   kj::Promise<void> tellIfLong(kj::Promise<void> awaited, const std::string& what) {
