@@ -14,12 +14,13 @@ kj::Promise<std::shared_ptr<PeerSession>> Sessions::open(const std::string& proc
     known.until = until;
     return dial(process, patience, limit);
   });
-  return opened.catch_([this, &known, process, until, limit](
-                           kj::Exception&& failure) -> kj::Promise<std::shared_ptr<PeerSession>> {
-    const Duration left = until - now();
-    if (known.until >= until || left <= Duration{0}) return kj::mv(failure);
-    return open(process, left, limit);
-  });
+  return asking_.wrap(
+      opened.catch_([this, &known, process, until,
+                     limit](kj::Exception&& failure) -> kj::Promise<std::shared_ptr<PeerSession>> {
+        const Duration left = until - now();
+        if (known.until >= until || left <= Duration{0}) return kj::mv(failure);
+        return open(process, left, limit);
+      }));
 }
 
 bool Sessions::any() const {

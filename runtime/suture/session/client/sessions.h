@@ -10,7 +10,8 @@
 
 namespace suture {
 
-/// Belongs to the control thread; outlives its promises, and what it opens.
+/// Belongs to the control thread; outlives what it opens. Its end rejects what was asked, since an
+/// attempt may live on whose asker has given up.
 class Sessions {
  public:
   Sessions(rpc::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
@@ -40,6 +41,7 @@ class Sessions {
   const Lanes& lanes_;
   const SessionIdentity self_;
   std::map<std::string, Known> known_;  // by the peer's process
+  kj::Canceler asking_;                 // last: no attempt sees the others gone
 };
 
 /// Says what to do about a peer that is there and does not answer.
