@@ -85,8 +85,9 @@ TEST_P(Unknown, IsBoundedByWhatWasSent) {
   robot_->signal(SIGSTOP);
   sender_.sendAll();
   for (int i = 0; i < 3000; ++i) {
+    // This paces the sender, so that the lane takes most of them; nothing is judged by it.
     (void)sender_.arm.servo_cp({});
-    std::this_thread::sleep_for(100us);  // the lane takes it
+    std::this_thread::sleep_for(100us);
   }
   EXPECT_EQ(robot_->end(SIGKILL), -SIGKILL);
   ASSERT_TRUE(eventually([&] { return report().underWay == 0; }));

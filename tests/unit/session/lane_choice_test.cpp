@@ -6,8 +6,9 @@
 #include <suture/lane/lane_kind.h>
 #include <suture/loop/failure.h>
 
+#include <algorithm>
+#include <atomic>
 #include <string>
-#include <thread>
 
 #include "reference/played_client.h"
 #include "reference/remote_arm.h"
@@ -54,21 +55,25 @@ class HopefulLane final : public LaneKind {
 /// Could carry a connection if it did not fail.
 class FailingLane final : public LaneKind {
  public:
-  explicit FailingLane(const char* name) : name_(name) {}
+  /// `attempts` counts how often it was tried.
+  FailingLane(const char* name, std::atomic<unsigned>& attempts)
+      : name_(name), attempts_(attempts) {}
   const char* name() const override { return name_; }
-  kj::Own<LaneClient> makeClient(ClientSession&) override { return kj::heap<Client>(name_); }
+  kj::Own<LaneClient> makeClient(ClientSession&) override { return kj::heap<Client>(*this); }
   kj::Own<LaneServer> makeServer(ServerSession&) override { return {}; }
 
  private:
   struct Client final : LaneClient {
-    explicit Client(const char* name) : name_(name) {}
+    explicit Client(FailingLane& lane) : lane_(lane) {}
     std::string whyNot(const OutgoingConnection&) const override { return ""; }
     kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection&) override {
-      return rpc::failure(kj::Exception::Type::FAILED, std::string(name_) + " is broken");
+      ++lane_.attempts_;
+      return rpc::failure(kj::Exception::Type::FAILED, std::string(lane_.name_) + " is broken");
     }
-    const char* const name_;
+    FailingLane& lane_;
   };
   const char* const name_;
+  std::atomic<unsigned>& attempts_;
 };
 
 std::size_t occurrences(const std::string& text, const std::string& part) {
@@ -229,10 +234,10 @@ TEST_F(LaneChoice, NoLaneJoinsADialUnderWay) {
 
 // The provider is started again without the lane, so the client tries all of them again and again.
 TEST_F(LaneChoice, EachFailingLaneIsToldOnce) {
+  std::atomic<unsigned> one{0}, two{0};
   begin(kTcp);
-  for (const char* const name : {"one", "two"}) {
-    console->addLane(std::make_unique<FailingLane>(name));
-  }
+  console->addLane(std::make_unique<FailingLane>("one", one));
+  console->addLane(std::make_unique<FailingLane>("two", two));
   for (Manager* const process : {console.get(), robot.get()}) {
     process->addLane(std::make_unique<frame::FrameLane>("last"));
   }
@@ -240,7 +245,8 @@ TEST_F(LaneChoice, EachFailingLaneIsToldOnce) {
   connect({"one"});
   restartRobot();
   EXPECT_TRUE(eventually([&] { return !console->whyNotBack().empty(); }));
-  std::this_thread::sleep_for(1s);
+  const unsigned before = std::max(one.load(), two.load());
+  EXPECT_TRUE(eventually([&] { return std::min(one.load(), two.load()) > before + 1; }));
   const std::string told = testing::internal::GetCapturedStderr();
   EXPECT_EQ(occurrences(told, "by lane 'one': one is broken"), 1u) << told;
   EXPECT_EQ(occurrences(told, "by lane 'two': two is broken"), 1u) << told;

@@ -103,7 +103,7 @@ class RemoteConnection {
   Duration limit_{0};       // for each answer, in this attempt
   std::string laneReason_;  // why it is not a faster lane
   std::string whyNotBack_;  // as it was told since the last loss
-  // What failed() has told last of each lane that has not carried it since.
+  // failed() has told this last of each lane that has not carried it since.
   std::map<std::string, std::string> whyFailed_;
   EventSet asked_ = 0;  // the events that were subscribed to when it was asked
   std::shared_ptr<PeerSession> session_;
