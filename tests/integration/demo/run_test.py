@@ -112,7 +112,9 @@ def check_tables(output, topology):
 
 
 def without_numbers(line):
-    return re.sub(r"[\d.]+", "#", " ".join(line.split()))
+    """Returns the line also without the columns that a table of connections has only if commands were dropped or late."""
+    words = [word for word in line.split() if not (line.startswith("connection ") and word in ("dropped", "late"))]
+    return re.sub(r"[\d.]+", "#", " ".join(words))
 
 
 def check_documents_picture(output):
