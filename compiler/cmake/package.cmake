@@ -4,7 +4,7 @@
 include(CMakePackageConfigHelpers)
 
 set(libraries)
-foreach(name base rt component wiring testing loop net framing wire lane names session standard manager observe record deploy suture schemas)
+foreach(name base rt component wiring testing loop net framing codec lane names session standard manager observe record deploy suture schemas)
   set_target_properties(suture_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND libraries suture_${name})
 endforeach()

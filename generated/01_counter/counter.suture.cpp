@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -18,7 +18,7 @@ bool store(const std::int32_t& amount, CounterAddArguments& slot) {
 }
 
 // Defined in 01_counter/counter.wire.cpp.
-const suture::rpc::Codec& counterCodec();
+const suture::codec::Codec& counterCodec();
 
 namespace {
 

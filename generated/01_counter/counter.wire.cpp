@@ -1,14 +1,14 @@
 // Written by suturec from 01_counter/counter.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "01_counter/counter.capnp.h"
 #include "01_counter/counter.suture.h"
 
 namespace counting {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Counter as Cap'n Proto
 
@@ -68,38 +68,38 @@ suture::Errc decodeCounterColumn(wire::CounterStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kCounterCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kCounterCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Counter>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Counter::AddParams>,
-     .arguments = suture::rpc::messageOf<wire::Counter::AddParams, CounterAddArguments,
-                                         encodeCounterAdd, decodeCounterAdd>},
+     .sent = suture::codec::sentIn<wire::Counter::AddParams>,
+     .arguments = suture::codec::messageOf<wire::Counter::AddParams, CounterAddArguments,
+                                           encodeCounterAdd, decodeCounterAdd>},
     {.interface = capnp::typeId<wire::Counter>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Counter::ValueParams>,
-     .result = suture::rpc::messageOf<wire::Counter::ValueResults, std::int64_t,
-                                      encodeCounterValueResult, decodeCounterValueResult>,
-     .stamp = suture::rpc::stampIn<wire::Counter::ValueResults>},
+     .sent = suture::codec::sentIn<wire::Counter::ValueParams>,
+     .result = suture::codec::messageOf<wire::Counter::ValueResults, std::int64_t,
+                                        encodeCounterValueResult, decodeCounterValueResult>,
+     .stamp = suture::codec::stampIn<wire::Counter::ValueResults>},
 };
 
-constexpr suture::rpc::EventCodec kCounterEventCodecs[] = {
+constexpr suture::codec::EventCodec kCounterEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::CounterEvents::TenMoreParams>,
-     .payload = suture::rpc::messageOf<wire::CounterEvents::TenMoreParams, std::int64_t,
-                                       encodeCounterTenMoreEvent, decodeCounterTenMoreEvent>},
+     .stamp = suture::codec::stampIn<wire::CounterEvents::TenMoreParams>,
+     .payload = suture::codec::messageOf<wire::CounterEvents::TenMoreParams, std::int64_t,
+                                         encodeCounterTenMoreEvent, decodeCounterTenMoreEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& counterCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Counter>,
+const suture::codec::Codec& counterCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Counter>,
       .contract = capnp::typeId<wire::Counter>(),
       .subscriber = capnp::typeId<wire::CounterEvents>(),
       .commands = kCounterCommandCodecs,
       .events = kCounterEventCodecs,
-      .row = suture::rpc::rowOf<wire::CounterEvents::StateParams, wire::CounterStateRow,
-                                encodeCounterColumn, decodeCounterColumn>,
+      .row = suture::codec::rowOf<wire::CounterEvents::StateParams, wire::CounterStateRow,
+                                  encodeCounterColumn, decodeCounterColumn>,
   };
   return kCodec;
 }

@@ -1,6 +1,6 @@
 // Written by suturec from 03_own_data_type/camera.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "03_own_data_type/camera.capnp.h"
 #include "03_own_data_type/camera.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::Observation::Reader in, ObservationSlot& slot, sutur
 
 namespace tracking {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -35,13 +35,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const tracking::CameraParameters& value) {
-  return rpc::encodeAs<tracking::wire::CameraParameters, tracking::CameraParametersSlot>(value);
+  return codec::encodeAs<tracking::wire::CameraParameters, tracking::CameraParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, tracking::CameraParameters& value) {
-  return rpc::decodeAs<tracking::wire::CameraParameters,
-                       tracking::CameraParametersSlot>(bytes, value);
+  return codec::decodeAs<tracking::wire::CameraParameters,
+                         tracking::CameraParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

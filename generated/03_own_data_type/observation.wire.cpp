@@ -1,14 +1,14 @@
 // Written by suturec from 03_own_data_type/observation.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "03_own_data_type/observation.capnp.h"
 #include "03_own_data_type/observation.suture.h"
 
 namespace tracking {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -41,30 +41,31 @@ void toWire(const MarkerSlot& slot, wire::Marker::Builder out) {
 suture::Errc fromWire(wire::Marker::Reader in, MarkerSlot& slot, suture::Duration) {
   slot.number = in.getNumber();
   return in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-      : suture::rpc::fromDefault(Marker().position, slot.position);
+      : suture::codec::fromDefault(Marker().position, slot.position);
 }
 
 void toWire(const ObservationSlot& slot, wire::Observation::Builder out) {
   toWire(slot.instrument, out.initInstrument(sizeOf(slot.instrument)));
   out.setVisibility(wireVisibility(slot.visibility));
   toWire(slot.tip, out.initTip());
-  suture::rpc::toWireList(slot.markers, out.initMarkers(sizeOf(slot.markers)),
-                          [](const MarkerSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.markers, out.initMarkers(sizeOf(slot.markers)),
+                            [](const MarkerSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   out.setJawAngle(slot.jaw_angle);
 }
 
 suture::Errc fromWire(wire::Observation::Reader in, ObservationSlot& slot, suture::Duration shift) {
   slot.jaw_angle = in.getJawAngle();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getInstrument(), slot.instrument),
       fromWire(in.getVisibility(), slot.visibility),
       in.hasTip() ? fromWire(in.getTip(), slot.tip)
-          : suture::rpc::fromDefault(Observation().tip, slot.tip),
-      suture::rpc::fromWireList(in.getMarkers(), slot.markers, [&](auto item, MarkerSlot& target) {
-        return fromWire(item, target, shift);
-      }),
+          : suture::codec::fromDefault(Observation().tip, slot.tip),
+      suture::codec::fromWireList(in.getMarkers(), slot.markers,
+                                  [&](auto item, MarkerSlot& target) {
+                                    return fromWire(item, target, shift);
+                                  }),
   });
 }
 
@@ -74,22 +75,22 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const tracking::Marker& value) {
-  return rpc::encodeAs<tracking::wire::Marker, tracking::MarkerSlot>(value);
+  return codec::encodeAs<tracking::wire::Marker, tracking::MarkerSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, tracking::Marker& value) {
-  return rpc::decodeAs<tracking::wire::Marker, tracking::MarkerSlot>(bytes, value);
+  return codec::decodeAs<tracking::wire::Marker, tracking::MarkerSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const tracking::Observation& value) {
-  return rpc::encodeAs<tracking::wire::Observation, tracking::ObservationSlot>(value);
+  return codec::encodeAs<tracking::wire::Observation, tracking::ObservationSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, tracking::Observation& value) {
-  return rpc::decodeAs<tracking::wire::Observation, tracking::ObservationSlot>(bytes, value);
+  return codec::decodeAs<tracking::wire::Observation, tracking::ObservationSlot>(bytes, value);
 }
 
 }  // namespace suture

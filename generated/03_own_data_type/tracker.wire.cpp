@@ -1,6 +1,6 @@
 // Written by suturec from 03_own_data_type/tracker.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "03_own_data_type/tracker.capnp.h"
 #include "03_own_data_type/tracker.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::Observation::Reader in, ObservationSlot& slot, sutur
 
 namespace tracking {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Tracker as Cap'n Proto
 
@@ -55,27 +55,27 @@ suture::Errc decodeTrackerColumn(wire::TrackerStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kTrackerCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kTrackerCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Tracker>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Tracker::ObservationParams>,
-     .result = suture::rpc::messageOf<wire::Tracker::ObservationResults, ObservationSlot,
-                                      encodeTrackerObservationResult,
-                                      decodeTrackerObservationResult>,
-     .stamp = suture::rpc::stampIn<wire::Tracker::ObservationResults>},
+     .sent = suture::codec::sentIn<wire::Tracker::ObservationParams>,
+     .result = suture::codec::messageOf<wire::Tracker::ObservationResults, ObservationSlot,
+                                        encodeTrackerObservationResult,
+                                        decodeTrackerObservationResult>,
+     .stamp = suture::codec::stampIn<wire::Tracker::ObservationResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& trackerCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Tracker>,
+const suture::codec::Codec& trackerCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Tracker>,
       .contract = capnp::typeId<wire::Tracker>(),
       .subscriber = capnp::typeId<wire::TrackerEvents>(),
       .commands = kTrackerCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::TrackerEvents::StateParams, wire::TrackerStateRow,
-                                encodeTrackerColumn, decodeTrackerColumn>,
+      .row = suture::codec::rowOf<wire::TrackerEvents::StateParams, wire::TrackerStateRow,
+                                  encodeTrackerColumn, decodeTrackerColumn>,
   };
   return kCodec;
 }

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -14,7 +14,7 @@ using suture::load;
 using suture::store;
 
 // Defined in 04_contract_and_loss/joystick.wire.cpp.
-const suture::rpc::Codec& joystickCodec();
+const suture::codec::Codec& joystickCodec();
 
 namespace {
 

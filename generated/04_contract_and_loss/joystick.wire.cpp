@@ -1,14 +1,14 @@
 // Written by suturec from 04_contract_and_loss/joystick.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "04_contract_and_loss/joystick.capnp.h"
 #include "04_contract_and_loss/joystick.suture.h"
 
 namespace following {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Joystick as Cap'n Proto
 
@@ -49,26 +49,26 @@ suture::Errc decodeJoystickColumn(wire::JoystickStateRow::Reader in, unsigned co
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kJoystickCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kJoystickCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Joystick>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Joystick::AngleParams>,
-     .result = suture::rpc::messageOf<wire::Joystick::AngleResults, double,
-                                      encodeJoystickAngleResult, decodeJoystickAngleResult>,
-     .stamp = suture::rpc::stampIn<wire::Joystick::AngleResults>},
+     .sent = suture::codec::sentIn<wire::Joystick::AngleParams>,
+     .result = suture::codec::messageOf<wire::Joystick::AngleResults, double,
+                                        encodeJoystickAngleResult, decodeJoystickAngleResult>,
+     .stamp = suture::codec::stampIn<wire::Joystick::AngleResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& joystickCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Joystick>,
+const suture::codec::Codec& joystickCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Joystick>,
       .contract = capnp::typeId<wire::Joystick>(),
       .subscriber = capnp::typeId<wire::JoystickEvents>(),
       .commands = kJoystickCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::JoystickEvents::StateParams, wire::JoystickStateRow,
-                                encodeJoystickColumn, decodeJoystickColumn>,
+      .row = suture::codec::rowOf<wire::JoystickEvents::StateParams, wire::JoystickStateRow,
+                                  encodeJoystickColumn, decodeJoystickColumn>,
   };
   return kCodec;
 }

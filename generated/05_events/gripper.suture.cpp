@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -34,7 +34,7 @@ bool isKnownJaws(std::uint8_t slot) {
 }
 
 // Defined in 05_events/gripper.wire.cpp.
-const suture::rpc::Codec& gripperCodec();
+const suture::codec::Codec& gripperCodec();
 
 namespace {
 

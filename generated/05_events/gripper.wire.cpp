@@ -1,14 +1,14 @@
 // Written by suturec from 05_events/gripper.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "05_events/gripper.capnp.h"
 #include "05_events/gripper.suture.h"
 
 namespace gripping {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -65,39 +65,39 @@ suture::Errc decodeGripperTouchedEvent(wire::GripperEvents::TouchedParams::Reade
   return suture::Errc{};
 }
 
-constexpr suture::rpc::CommandCodec kGripperCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kGripperCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Gripper::GraspParams>},
+     .sent = suture::codec::sentIn<wire::Gripper::GraspParams>},
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Gripper::ReleaseParams>,
-     .result = suture::rpc::messageOf<wire::Gripper::ReleaseResults, std::uint8_t,
-                                      encodeGripperReleaseResult, decodeGripperReleaseResult>},
+     .sent = suture::codec::sentIn<wire::Gripper::ReleaseParams>,
+     .result = suture::codec::messageOf<wire::Gripper::ReleaseResults, std::uint8_t,
+                                        encodeGripperReleaseResult, decodeGripperReleaseResult>},
 };
 
-constexpr suture::rpc::EventCodec kGripperEventCodecs[] = {
+constexpr suture::codec::EventCodec kGripperEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::GripperEvents::JawsChangedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperEvents::JawsChangedParams, std::uint8_t,
-                                       encodeGripperJawsChangedEvent,
-                                       decodeGripperJawsChangedEvent>},
+     .stamp = suture::codec::stampIn<wire::GripperEvents::JawsChangedParams>,
+     .payload = suture::codec::messageOf<wire::GripperEvents::JawsChangedParams, std::uint8_t,
+                                         encodeGripperJawsChangedEvent,
+                                         decodeGripperJawsChangedEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::GripperEvents::TouchedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperEvents::TouchedParams, double,
-                                       encodeGripperTouchedEvent, decodeGripperTouchedEvent>},
+     .stamp = suture::codec::stampIn<wire::GripperEvents::TouchedParams>,
+     .payload = suture::codec::messageOf<wire::GripperEvents::TouchedParams, double,
+                                         encodeGripperTouchedEvent, decodeGripperTouchedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& gripperCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Gripper>,
+const suture::codec::Codec& gripperCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Gripper>,
       .contract = capnp::typeId<wire::Gripper>(),
       .subscriber = capnp::typeId<wire::GripperEvents>(),
       .commands = kGripperCommandCodecs,
       .events = kGripperEventCodecs,
-      .row = suture::rpc::rowOf<wire::GripperEvents::StateParams, wire::GripperStateRow>,
+      .row = suture::codec::rowOf<wire::GripperEvents::StateParams, wire::GripperStateRow>,
   };
   return kCodec;
 }

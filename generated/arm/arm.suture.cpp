@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -182,7 +182,7 @@ void shiftStamps(ArmLocalQueryCpArguments& slot, suture::Duration shift) {
 }
 
 // Defined in arm/arm.wire.cpp.
-const suture::rpc::Codec& armCodec();
+const suture::codec::Codec& armCodec();
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -14,7 +14,7 @@ using suture::load;
 using suture::store;
 
 // Defined in arm/gripper.wire.cpp.
-const suture::rpc::Codec& gripperCodec();
+const suture::codec::Codec& gripperCodec();
 
 namespace {
 

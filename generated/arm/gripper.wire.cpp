@@ -1,6 +1,6 @@
 // Written by suturec from arm/gripper.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "arm/gripper.capnp.h"
 #include "arm/gripper.suture.h"
@@ -20,8 +20,8 @@ suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture:
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Gripper as Cap'n Proto
 
@@ -98,40 +98,41 @@ suture::Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kGripperCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kGripperCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Gripper::ConfigurationJsParams>,
-     .result = suture::rpc::messageOf<wire::Gripper::ConfigurationJsResults, JointConfigurationSlot,
-                                      encodeGripperConfigurationJsResult,
-                                      decodeGripperConfigurationJsResult>,
-     .stamp = suture::rpc::stampIn<wire::Gripper::ConfigurationJsResults>},
+     .sent = suture::codec::sentIn<wire::Gripper::ConfigurationJsParams>,
+     .result = suture::codec::messageOf<wire::Gripper::ConfigurationJsResults,
+                                        JointConfigurationSlot, encodeGripperConfigurationJsResult,
+                                        decodeGripperConfigurationJsResult>,
+     .stamp = suture::codec::stampIn<wire::Gripper::ConfigurationJsResults>},
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Gripper::MeasuredJsParams>,
-     .result = suture::rpc::messageOf<wire::Gripper::MeasuredJsResults, JointStateSlot,
-                                      encodeGripperMeasuredJsResult, decodeGripperMeasuredJsResult>,
-     .stamp = suture::rpc::stampIn<wire::Gripper::MeasuredJsResults>},
+     .sent = suture::codec::sentIn<wire::Gripper::MeasuredJsParams>,
+     .result = suture::codec::messageOf<wire::Gripper::MeasuredJsResults, JointStateSlot,
+                                        encodeGripperMeasuredJsResult,
+                                        decodeGripperMeasuredJsResult>,
+     .stamp = suture::codec::stampIn<wire::Gripper::MeasuredJsResults>},
 };
 
-constexpr suture::rpc::EventCodec kGripperEventCodecs[] = {
+constexpr suture::codec::EventCodec kGripperEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::GripperEvents::ClosedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperEvents::ClosedParams, std::uint8_t,
-                                       encodeGripperClosedEvent, decodeGripperClosedEvent>},
+     .stamp = suture::codec::stampIn<wire::GripperEvents::ClosedParams>,
+     .payload = suture::codec::messageOf<wire::GripperEvents::ClosedParams, std::uint8_t,
+                                         encodeGripperClosedEvent, decodeGripperClosedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& gripperCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Gripper>,
+const suture::codec::Codec& gripperCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Gripper>,
       .contract = capnp::typeId<wire::Gripper>(),
       .subscriber = capnp::typeId<wire::GripperEvents>(),
       .commands = kGripperCommandCodecs,
       .events = kGripperEventCodecs,
-      .row = suture::rpc::rowOf<wire::GripperEvents::StateParams, wire::GripperStateRow,
-                                encodeGripperColumn, decodeGripperColumn>,
+      .row = suture::codec::rowOf<wire::GripperEvents::StateParams, wire::GripperStateRow,
+                                  encodeGripperColumn, decodeGripperColumn>,
   };
   return kCodec;
 }

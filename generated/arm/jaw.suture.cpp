@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -34,7 +34,7 @@ void shiftStamps(JawMoveJpArguments& slot, suture::Duration shift) {
 }
 
 // Defined in arm/jaw.wire.cpp.
-const suture::rpc::Codec& jawCodec();
+const suture::codec::Codec& jawCodec();
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Written by suturec from arm/jaw.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "arm/jaw.capnp.h"
 #include "arm/jaw.suture.h"
@@ -31,8 +31,8 @@ suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Durat
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Jaw as Cap'n Proto
 
@@ -177,73 +177,73 @@ suture::Errc decodeJawColumn(wire::JawStateRow::Reader in, unsigned column, std:
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kJawCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kJawCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Jaw::ConfigurationJsParams>,
-     .result = suture::rpc::messageOf<wire::Jaw::ConfigurationJsResults, JointConfigurationSlot,
-                                      encodeJawConfigurationJsResult,
-                                      decodeJawConfigurationJsResult>,
-     .stamp = suture::rpc::stampIn<wire::Jaw::ConfigurationJsResults>},
+     .sent = suture::codec::sentIn<wire::Jaw::ConfigurationJsParams>,
+     .result = suture::codec::messageOf<wire::Jaw::ConfigurationJsResults, JointConfigurationSlot,
+                                        encodeJawConfigurationJsResult,
+                                        decodeJawConfigurationJsResult>,
+     .stamp = suture::codec::stampIn<wire::Jaw::ConfigurationJsResults>},
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Jaw::MeasuredJsParams>,
-     .result = suture::rpc::messageOf<wire::Jaw::MeasuredJsResults, JointStateSlot,
-                                      encodeJawMeasuredJsResult, decodeJawMeasuredJsResult>,
-     .stamp = suture::rpc::stampIn<wire::Jaw::MeasuredJsResults>},
+     .sent = suture::codec::sentIn<wire::Jaw::MeasuredJsParams>,
+     .result = suture::codec::messageOf<wire::Jaw::MeasuredJsResults, JointStateSlot,
+                                        encodeJawMeasuredJsResult, decodeJawMeasuredJsResult>,
+     .stamp = suture::codec::stampIn<wire::Jaw::MeasuredJsResults>},
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Jaw::SetpointJsParams>,
-     .result = suture::rpc::messageOf<wire::Jaw::SetpointJsResults, JointStateSlot,
-                                      encodeJawSetpointJsResult, decodeJawSetpointJsResult>,
-     .stamp = suture::rpc::stampIn<wire::Jaw::SetpointJsResults>},
+     .sent = suture::codec::sentIn<wire::Jaw::SetpointJsParams>,
+     .result = suture::codec::messageOf<wire::Jaw::SetpointJsResults, JointStateSlot,
+                                        encodeJawSetpointJsResult, decodeJawSetpointJsResult>,
+     .stamp = suture::codec::stampIn<wire::Jaw::SetpointJsResults>},
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Jaw::ServoJpParams>,
-     .arguments = suture::rpc::messageOf<wire::Jaw::ServoJpParams, JawServoJpArguments,
-                                         encodeJawServoJp, decodeJawServoJp>},
+     .sent = suture::codec::sentIn<wire::Jaw::ServoJpParams>,
+     .arguments = suture::codec::messageOf<wire::Jaw::ServoJpParams, JawServoJpArguments,
+                                           encodeJawServoJp, decodeJawServoJp>},
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 5,
-     .sent = suture::rpc::sentIn<wire::Jaw::ServoJfParams>,
-     .arguments = suture::rpc::messageOf<wire::Jaw::ServoJfParams, JawServoJfArguments,
-                                         encodeJawServoJf, decodeJawServoJf>},
+     .sent = suture::codec::sentIn<wire::Jaw::ServoJfParams>,
+     .arguments = suture::codec::messageOf<wire::Jaw::ServoJfParams, JawServoJfArguments,
+                                           encodeJawServoJf, decodeJawServoJf>},
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 6,
-     .sent = suture::rpc::sentIn<wire::Jaw::MoveJpParams>,
-     .arguments = suture::rpc::messageOf<wire::Jaw::MoveJpParams, JawMoveJpArguments,
-                                         encodeJawMoveJp, decodeJawMoveJp>},
+     .sent = suture::codec::sentIn<wire::Jaw::MoveJpParams>,
+     .arguments = suture::codec::messageOf<wire::Jaw::MoveJpParams, JawMoveJpArguments,
+                                           encodeJawMoveJp, decodeJawMoveJp>},
 };
 
-constexpr suture::rpc::EventCodec kJawEventCodecs[] = {
+constexpr suture::codec::EventCodec kJawEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::JawEvents::StatusParams>,
-     .payload = suture::rpc::messageOf<wire::JawEvents::StatusParams, suture::MessageSlot,
-                                       encodeJawStatusEvent, decodeJawStatusEvent>},
+     .stamp = suture::codec::stampIn<wire::JawEvents::StatusParams>,
+     .payload = suture::codec::messageOf<wire::JawEvents::StatusParams, suture::MessageSlot,
+                                         encodeJawStatusEvent, decodeJawStatusEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::JawEvents::WarningParams>,
-     .payload = suture::rpc::messageOf<wire::JawEvents::WarningParams, suture::MessageSlot,
-                                       encodeJawWarningEvent, decodeJawWarningEvent>},
+     .stamp = suture::codec::stampIn<wire::JawEvents::WarningParams>,
+     .payload = suture::codec::messageOf<wire::JawEvents::WarningParams, suture::MessageSlot,
+                                         encodeJawWarningEvent, decodeJawWarningEvent>},
     {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::JawEvents::ErrorParams>,
-     .payload = suture::rpc::messageOf<wire::JawEvents::ErrorParams, suture::MessageSlot,
-                                       encodeJawErrorEvent, decodeJawErrorEvent>},
+     .stamp = suture::codec::stampIn<wire::JawEvents::ErrorParams>,
+     .payload = suture::codec::messageOf<wire::JawEvents::ErrorParams, suture::MessageSlot,
+                                         encodeJawErrorEvent, decodeJawErrorEvent>},
     {.method = 4,
-     .stamp = suture::rpc::stampIn<wire::JawEvents::GoalReachedParams>,
-     .payload = suture::rpc::messageOf<wire::JawEvents::GoalReachedParams, std::uint8_t,
-                                       encodeJawGoalReachedEvent, decodeJawGoalReachedEvent>},
+     .stamp = suture::codec::stampIn<wire::JawEvents::GoalReachedParams>,
+     .payload = suture::codec::messageOf<wire::JawEvents::GoalReachedParams, std::uint8_t,
+                                         encodeJawGoalReachedEvent, decodeJawGoalReachedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& jawCodec() {
-  static const suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Jaw>,
+const suture::codec::Codec& jawCodec() {
+  static const suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Jaw>,
       .contract = capnp::typeId<wire::Jaw>(),
       .subscriber = capnp::typeId<wire::JawEvents>(),
       .commands = kJawCommandCodecs,
       .events = kJawEventCodecs,
-      .row = suture::rpc::rowOf<wire::JawEvents::StateParams, wire::JawStateRow, encodeJawColumn,
-                                decodeJawColumn>,
+      .row = suture::codec::rowOf<wire::JawEvents::StateParams, wire::JawStateRow, encodeJawColumn,
+                                  decodeJawColumn>,
   };
   return kCodec;
 }

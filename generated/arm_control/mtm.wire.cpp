@@ -1,6 +1,6 @@
 // Written by suturec from arm_control/mtm.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "arm_control/mtm.capnp.h"
 #include "arm_control/mtm.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -50,12 +50,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::MtmParameters& value) {
-  return rpc::encodeAs<robots::wire::MtmParameters, robots::MtmParametersSlot>(value);
+  return codec::encodeAs<robots::wire::MtmParameters, robots::MtmParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::MtmParameters& value) {
-  return rpc::decodeAs<robots::wire::MtmParameters, robots::MtmParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::MtmParameters, robots::MtmParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

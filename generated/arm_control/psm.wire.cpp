@@ -1,14 +1,14 @@
 // Written by suturec from arm_control/psm.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "arm_control/psm.capnp.h"
 #include "arm_control/psm.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -51,12 +51,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::PsmParameters& value) {
-  return rpc::encodeAs<robots::wire::PsmParameters, robots::PsmParametersSlot>(value);
+  return codec::encodeAs<robots::wire::PsmParameters, robots::PsmParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::PsmParameters& value) {
-  return rpc::decodeAs<robots::wire::PsmParameters, robots::PsmParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::PsmParameters, robots::PsmParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

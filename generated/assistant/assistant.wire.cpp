@@ -1,14 +1,14 @@
 // Written by suturec from assistant/assistant.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "assistant/assistant.capnp.h"
 #include "assistant/assistant.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -34,13 +34,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::AssistantParameters& value) {
-  return rpc::encodeAs<robots::wire::AssistantParameters, robots::AssistantParametersSlot>(value);
+  return codec::encodeAs<robots::wire::AssistantParameters, robots::AssistantParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::AssistantParameters& value) {
-  return rpc::decodeAs<robots::wire::AssistantParameters,
-                       robots::AssistantParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::AssistantParameters,
+                         robots::AssistantParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -66,8 +66,8 @@ bool isValid(const LargeBlockSlot&, suture::FieldPath*) {
 }
 
 // Defined in bench/block_loop.wire.cpp.
-const suture::rpc::Codec& smallBlocksCodec();
-const suture::rpc::Codec& largeBlocksCodec();
+const suture::codec::Codec& smallBlocksCodec();
+const suture::codec::Codec& largeBlocksCodec();
 
 namespace {
 

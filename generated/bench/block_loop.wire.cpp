@@ -1,15 +1,15 @@
 // Written by suturec from bench/block_loop.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "bench/block_loop.capnp.h"
 #include "bench/block_loop.suture.h"
 
 namespace bench {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -51,32 +51,32 @@ suture::Errc decodeSmallBlocksEchoEvent(wire::SmallBlocksEvents::EchoParams::Rea
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kSmallBlocksCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kSmallBlocksCommandCodecs[] = {
     {.interface = capnp::typeId<wire::SmallBlocks>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::SmallBlocks::BounceParams>,
-     .arguments = suture::rpc::messageOf<wire::SmallBlocks::BounceParams,
-                                         SmallBlocksBounceArguments, encodeSmallBlocksBounce,
-                                         decodeSmallBlocksBounce>},
+     .sent = suture::codec::sentIn<wire::SmallBlocks::BounceParams>,
+     .arguments = suture::codec::messageOf<wire::SmallBlocks::BounceParams,
+                                           SmallBlocksBounceArguments, encodeSmallBlocksBounce,
+                                           decodeSmallBlocksBounce>},
 };
 
-constexpr suture::rpc::EventCodec kSmallBlocksEventCodecs[] = {
+constexpr suture::codec::EventCodec kSmallBlocksEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::SmallBlocksEvents::EchoParams>,
-     .payload = suture::rpc::messageOf<wire::SmallBlocksEvents::EchoParams, SmallBlockSlot,
-                                       encodeSmallBlocksEchoEvent, decodeSmallBlocksEchoEvent>},
+     .stamp = suture::codec::stampIn<wire::SmallBlocksEvents::EchoParams>,
+     .payload = suture::codec::messageOf<wire::SmallBlocksEvents::EchoParams, SmallBlockSlot,
+                                         encodeSmallBlocksEchoEvent, decodeSmallBlocksEchoEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& smallBlocksCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::SmallBlocks>,
+const suture::codec::Codec& smallBlocksCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::SmallBlocks>,
       .contract = capnp::typeId<wire::SmallBlocks>(),
       .subscriber = capnp::typeId<wire::SmallBlocksEvents>(),
       .commands = kSmallBlocksCommandCodecs,
       .events = kSmallBlocksEventCodecs,
-      .row = suture::rpc::rowOf<wire::SmallBlocksEvents::StateParams, wire::SmallBlocksStateRow>,
+      .row = suture::codec::rowOf<wire::SmallBlocksEvents::StateParams, wire::SmallBlocksStateRow>,
   };
   return kCodec;
 }
@@ -103,32 +103,32 @@ suture::Errc decodeLargeBlocksEchoEvent(wire::LargeBlocksEvents::EchoParams::Rea
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kLargeBlocksCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kLargeBlocksCommandCodecs[] = {
     {.interface = capnp::typeId<wire::LargeBlocks>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::LargeBlocks::BounceParams>,
-     .arguments = suture::rpc::messageOf<wire::LargeBlocks::BounceParams,
-                                         LargeBlocksBounceArguments, encodeLargeBlocksBounce,
-                                         decodeLargeBlocksBounce>},
+     .sent = suture::codec::sentIn<wire::LargeBlocks::BounceParams>,
+     .arguments = suture::codec::messageOf<wire::LargeBlocks::BounceParams,
+                                           LargeBlocksBounceArguments, encodeLargeBlocksBounce,
+                                           decodeLargeBlocksBounce>},
 };
 
-constexpr suture::rpc::EventCodec kLargeBlocksEventCodecs[] = {
+constexpr suture::codec::EventCodec kLargeBlocksEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::LargeBlocksEvents::EchoParams>,
-     .payload = suture::rpc::messageOf<wire::LargeBlocksEvents::EchoParams, LargeBlockSlot,
-                                       encodeLargeBlocksEchoEvent, decodeLargeBlocksEchoEvent>},
+     .stamp = suture::codec::stampIn<wire::LargeBlocksEvents::EchoParams>,
+     .payload = suture::codec::messageOf<wire::LargeBlocksEvents::EchoParams, LargeBlockSlot,
+                                         encodeLargeBlocksEchoEvent, decodeLargeBlocksEchoEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& largeBlocksCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::LargeBlocks>,
+const suture::codec::Codec& largeBlocksCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::LargeBlocks>,
       .contract = capnp::typeId<wire::LargeBlocks>(),
       .subscriber = capnp::typeId<wire::LargeBlocksEvents>(),
       .commands = kLargeBlocksCommandCodecs,
       .events = kLargeBlocksEventCodecs,
-      .row = suture::rpc::rowOf<wire::LargeBlocksEvents::StateParams, wire::LargeBlocksStateRow>,
+      .row = suture::codec::rowOf<wire::LargeBlocksEvents::StateParams, wire::LargeBlocksStateRow>,
   };
   return kCodec;
 }
@@ -139,22 +139,22 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const bench::SmallBlock& value) {
-  return rpc::encodeAs<bench::wire::SmallBlock, bench::SmallBlockSlot>(value);
+  return codec::encodeAs<bench::wire::SmallBlock, bench::SmallBlockSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, bench::SmallBlock& value) {
-  return rpc::decodeAs<bench::wire::SmallBlock, bench::SmallBlockSlot>(bytes, value);
+  return codec::decodeAs<bench::wire::SmallBlock, bench::SmallBlockSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const bench::LargeBlock& value) {
-  return rpc::encodeAs<bench::wire::LargeBlock, bench::LargeBlockSlot>(value);
+  return codec::encodeAs<bench::wire::LargeBlock, bench::LargeBlockSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, bench::LargeBlock& value) {
-  return rpc::decodeAs<bench::wire::LargeBlock, bench::LargeBlockSlot>(bytes, value);
+  return codec::decodeAs<bench::wire::LargeBlock, bench::LargeBlockSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -30,7 +30,7 @@ void shiftStamps(LoopServerBounceArguments& slot, suture::Duration shift) {
 }
 
 // Defined in bench/loop.wire.cpp.
-const suture::rpc::Codec& loopServerCodec();
+const suture::codec::Codec& loopServerCodec();
 
 namespace {
 

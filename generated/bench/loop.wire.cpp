@@ -1,6 +1,6 @@
 // Written by suturec from bench/loop.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "bench/loop.capnp.h"
 #include "bench/loop.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Durat
 
 namespace bench {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- LoopServer as Cap'n Proto
 
@@ -82,43 +82,44 @@ suture::Errc decodeLoopServerColumn(wire::LoopServerStateRow::Reader in, unsigne
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kLoopServerCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kLoopServerCommandCodecs[] = {
     {.interface = capnp::typeId<wire::LoopServer>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::LoopServer::PutParams>,
-     .arguments = suture::rpc::messageOf<wire::LoopServer::PutParams, LoopServerPutArguments,
-                                         encodeLoopServerPut, decodeLoopServerPut>},
+     .sent = suture::codec::sentIn<wire::LoopServer::PutParams>,
+     .arguments = suture::codec::messageOf<wire::LoopServer::PutParams, LoopServerPutArguments,
+                                           encodeLoopServerPut, decodeLoopServerPut>},
     {.interface = capnp::typeId<wire::LoopServer>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::LoopServer::BounceParams>,
-     .arguments = suture::rpc::messageOf<wire::LoopServer::BounceParams, LoopServerBounceArguments,
-                                         encodeLoopServerBounce, decodeLoopServerBounce>},
+     .sent = suture::codec::sentIn<wire::LoopServer::BounceParams>,
+     .arguments = suture::codec::messageOf<wire::LoopServer::BounceParams,
+                                           LoopServerBounceArguments, encodeLoopServerBounce,
+                                           decodeLoopServerBounce>},
     {.interface = capnp::typeId<wire::LoopServer>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::LoopServer::ValueParams>,
-     .result = suture::rpc::messageOf<wire::LoopServer::ValueResults, robots::PosePrmSlot,
-                                      encodeLoopServerValueResult, decodeLoopServerValueResult>,
-     .stamp = suture::rpc::stampIn<wire::LoopServer::ValueResults>},
+     .sent = suture::codec::sentIn<wire::LoopServer::ValueParams>,
+     .result = suture::codec::messageOf<wire::LoopServer::ValueResults, robots::PosePrmSlot,
+                                        encodeLoopServerValueResult, decodeLoopServerValueResult>,
+     .stamp = suture::codec::stampIn<wire::LoopServer::ValueResults>},
 };
 
-constexpr suture::rpc::EventCodec kLoopServerEventCodecs[] = {
+constexpr suture::codec::EventCodec kLoopServerEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::LoopServerEvents::EchoParams>,
-     .payload = suture::rpc::messageOf<wire::LoopServerEvents::EchoParams, robots::PosePrmSlot,
-                                       encodeLoopServerEchoEvent, decodeLoopServerEchoEvent>},
+     .stamp = suture::codec::stampIn<wire::LoopServerEvents::EchoParams>,
+     .payload = suture::codec::messageOf<wire::LoopServerEvents::EchoParams, robots::PosePrmSlot,
+                                         encodeLoopServerEchoEvent, decodeLoopServerEchoEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& loopServerCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::LoopServer>,
+const suture::codec::Codec& loopServerCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::LoopServer>,
       .contract = capnp::typeId<wire::LoopServer>(),
       .subscriber = capnp::typeId<wire::LoopServerEvents>(),
       .commands = kLoopServerCommandCodecs,
       .events = kLoopServerEventCodecs,
-      .row = suture::rpc::rowOf<wire::LoopServerEvents::StateParams, wire::LoopServerStateRow,
-                                encodeLoopServerColumn, decodeLoopServerColumn>,
+      .row = suture::codec::rowOf<wire::LoopServerEvents::StateParams, wire::LoopServerStateRow,
+                                  encodeLoopServerColumn, decodeLoopServerColumn>,
   };
   return kCodec;
 }

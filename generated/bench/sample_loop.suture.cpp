@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -30,7 +30,7 @@ void shiftStamps(SampleServerBounceArguments& slot, suture::Duration shift) {
 }
 
 // Defined in bench/sample_loop.wire.cpp.
-const suture::rpc::Codec& sampleServerCodec();
+const suture::codec::Codec& sampleServerCodec();
 
 namespace {
 

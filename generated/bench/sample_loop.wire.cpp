@@ -1,6 +1,6 @@
 // Written by suturec from bench/sample_loop.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "bench/sample_loop.capnp.h"
 #include "bench/sample_loop.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::PoseSample::Reader in, PoseSampleSlot& slot, suture:
 
 namespace bench {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- SampleServer as Cap'n Proto
 
@@ -83,44 +83,46 @@ suture::Errc decodeSampleServerColumn(wire::SampleServerStateRow::Reader in, uns
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kSampleServerCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kSampleServerCommandCodecs[] = {
     {.interface = capnp::typeId<wire::SampleServer>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::SampleServer::PutParams>,
-     .arguments = suture::rpc::messageOf<wire::SampleServer::PutParams, SampleServerPutArguments,
-                                         encodeSampleServerPut, decodeSampleServerPut>},
+     .sent = suture::codec::sentIn<wire::SampleServer::PutParams>,
+     .arguments = suture::codec::messageOf<wire::SampleServer::PutParams, SampleServerPutArguments,
+                                           encodeSampleServerPut, decodeSampleServerPut>},
     {.interface = capnp::typeId<wire::SampleServer>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::SampleServer::BounceParams>,
-     .arguments = suture::rpc::messageOf<wire::SampleServer::BounceParams,
-                                         SampleServerBounceArguments, encodeSampleServerBounce,
-                                         decodeSampleServerBounce>},
+     .sent = suture::codec::sentIn<wire::SampleServer::BounceParams>,
+     .arguments = suture::codec::messageOf<wire::SampleServer::BounceParams,
+                                           SampleServerBounceArguments, encodeSampleServerBounce,
+                                           decodeSampleServerBounce>},
     {.interface = capnp::typeId<wire::SampleServer>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::SampleServer::ValueParams>,
-     .result = suture::rpc::messageOf<wire::SampleServer::ValueResults, robots::PoseSampleSlot,
-                                      encodeSampleServerValueResult, decodeSampleServerValueResult>,
-     .stamp = suture::rpc::stampIn<wire::SampleServer::ValueResults>},
+     .sent = suture::codec::sentIn<wire::SampleServer::ValueParams>,
+     .result = suture::codec::messageOf<wire::SampleServer::ValueResults, robots::PoseSampleSlot,
+                                        encodeSampleServerValueResult,
+                                        decodeSampleServerValueResult>,
+     .stamp = suture::codec::stampIn<wire::SampleServer::ValueResults>},
 };
 
-constexpr suture::rpc::EventCodec kSampleServerEventCodecs[] = {
+constexpr suture::codec::EventCodec kSampleServerEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::SampleServerEvents::EchoParams>,
-     .payload = suture::rpc::messageOf<wire::SampleServerEvents::EchoParams, robots::PoseSampleSlot,
-                                       encodeSampleServerEchoEvent, decodeSampleServerEchoEvent>},
+     .stamp = suture::codec::stampIn<wire::SampleServerEvents::EchoParams>,
+     .payload = suture::codec::messageOf<wire::SampleServerEvents::EchoParams,
+                                         robots::PoseSampleSlot, encodeSampleServerEchoEvent,
+                                         decodeSampleServerEchoEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& sampleServerCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::SampleServer>,
+const suture::codec::Codec& sampleServerCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::SampleServer>,
       .contract = capnp::typeId<wire::SampleServer>(),
       .subscriber = capnp::typeId<wire::SampleServerEvents>(),
       .commands = kSampleServerCommandCodecs,
       .events = kSampleServerEventCodecs,
-      .row = suture::rpc::rowOf<wire::SampleServerEvents::StateParams, wire::SampleServerStateRow,
-                                encodeSampleServerColumn, decodeSampleServerColumn>,
+      .row = suture::codec::rowOf<wire::SampleServerEvents::StateParams, wire::SampleServerStateRow,
+                                  encodeSampleServerColumn, decodeSampleServerColumn>,
   };
   return kCodec;
 }

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -40,7 +40,7 @@ bool isKnownConsoleState(std::uint8_t slot) {
 }
 
 // Defined in console/console.wire.cpp.
-const suture::rpc::Codec& consoleCodec();
+const suture::codec::Codec& consoleCodec();
 
 namespace {
 

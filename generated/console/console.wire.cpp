@@ -1,6 +1,6 @@
 // Written by suturec from console/console.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "console/console.capnp.h"
 #include "console/console.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Durat
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -122,53 +122,53 @@ suture::Errc decodeConsoleColumn(wire::ConsoleStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kConsoleCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kConsoleCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Console>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Console::BringUpParams>},
+     .sent = suture::codec::sentIn<wire::Console::BringUpParams>},
     {.interface = capnp::typeId<wire::Console>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Console::BringDownParams>},
+     .sent = suture::codec::sentIn<wire::Console::BringDownParams>},
     {.interface = capnp::typeId<wire::Console>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Console::ConsoleStateParams>,
-     .result = suture::rpc::messageOf<wire::Console::ConsoleStateResults, std::uint8_t,
-                                      encodeConsoleConsoleStateResult,
-                                      decodeConsoleConsoleStateResult>,
-     .stamp = suture::rpc::stampIn<wire::Console::ConsoleStateResults>},
+     .sent = suture::codec::sentIn<wire::Console::ConsoleStateParams>,
+     .result = suture::codec::messageOf<wire::Console::ConsoleStateResults, std::uint8_t,
+                                        encodeConsoleConsoleStateResult,
+                                        decodeConsoleConsoleStateResult>,
+     .stamp = suture::codec::stampIn<wire::Console::ConsoleStateResults>},
 };
 
-constexpr suture::rpc::EventCodec kConsoleEventCodecs[] = {
+constexpr suture::codec::EventCodec kConsoleEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::ConsoleEvents::StatusParams>,
-     .payload = suture::rpc::messageOf<wire::ConsoleEvents::StatusParams, suture::MessageSlot,
-                                       encodeConsoleStatusEvent, decodeConsoleStatusEvent>},
+     .stamp = suture::codec::stampIn<wire::ConsoleEvents::StatusParams>,
+     .payload = suture::codec::messageOf<wire::ConsoleEvents::StatusParams, suture::MessageSlot,
+                                         encodeConsoleStatusEvent, decodeConsoleStatusEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::ConsoleEvents::WarningParams>,
-     .payload = suture::rpc::messageOf<wire::ConsoleEvents::WarningParams, suture::MessageSlot,
-                                       encodeConsoleWarningEvent, decodeConsoleWarningEvent>},
+     .stamp = suture::codec::stampIn<wire::ConsoleEvents::WarningParams>,
+     .payload = suture::codec::messageOf<wire::ConsoleEvents::WarningParams, suture::MessageSlot,
+                                         encodeConsoleWarningEvent, decodeConsoleWarningEvent>},
     {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::ConsoleEvents::ErrorParams>,
-     .payload = suture::rpc::messageOf<wire::ConsoleEvents::ErrorParams, suture::MessageSlot,
-                                       encodeConsoleErrorEvent, decodeConsoleErrorEvent>},
+     .stamp = suture::codec::stampIn<wire::ConsoleEvents::ErrorParams>,
+     .payload = suture::codec::messageOf<wire::ConsoleEvents::ErrorParams, suture::MessageSlot,
+                                         encodeConsoleErrorEvent, decodeConsoleErrorEvent>},
     {.method = 4,
-     .stamp = suture::rpc::stampIn<wire::ConsoleEvents::ConsoleStateParams>,
-     .payload = suture::rpc::messageOf<wire::ConsoleEvents::ConsoleStateParams, std::uint8_t,
-                                       encodeConsoleConsoleStateEvent,
-                                       decodeConsoleConsoleStateEvent>},
+     .stamp = suture::codec::stampIn<wire::ConsoleEvents::ConsoleStateParams>,
+     .payload = suture::codec::messageOf<wire::ConsoleEvents::ConsoleStateParams, std::uint8_t,
+                                         encodeConsoleConsoleStateEvent,
+                                         decodeConsoleConsoleStateEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& consoleCodec() {
-  static const suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Console>,
+const suture::codec::Codec& consoleCodec() {
+  static const suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Console>,
       .contract = capnp::typeId<wire::Console>(),
       .subscriber = capnp::typeId<wire::ConsoleEvents>(),
       .commands = kConsoleCommandCodecs,
       .events = kConsoleEventCodecs,
-      .row = suture::rpc::rowOf<wire::ConsoleEvents::StateParams, wire::ConsoleStateRow,
-                                encodeConsoleColumn, decodeConsoleColumn>,
+      .row = suture::codec::rowOf<wire::ConsoleEvents::StateParams, wire::ConsoleStateRow,
+                                  encodeConsoleColumn, decodeConsoleColumn>,
   };
   return kCodec;
 }

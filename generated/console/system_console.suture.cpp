@@ -4,7 +4,7 @@
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 

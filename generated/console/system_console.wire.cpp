@@ -1,14 +1,14 @@
 // Written by suturec from console/system_console.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "console/system_console.capnp.h"
 #include "console/system_console.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -33,14 +33,14 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::SystemConsoleParameters& value) {
-  return rpc::encodeAs<robots::wire::SystemConsoleParameters,
-                       robots::SystemConsoleParametersSlot>(value);
+  return codec::encodeAs<robots::wire::SystemConsoleParameters,
+                         robots::SystemConsoleParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::SystemConsoleParameters& value) {
-  return rpc::decodeAs<robots::wire::SystemConsoleParameters,
-                       robots::SystemConsoleParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::SystemConsoleParameters,
+                         robots::SystemConsoleParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,14 +1,14 @@
 // Written by suturec from coordinator/coordinator.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "coordinator/coordinator.capnp.h"
 #include "coordinator/coordinator.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -29,14 +29,14 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::CoordinatorParameters& value) {
-  return rpc::encodeAs<robots::wire::CoordinatorParameters,
-                       robots::CoordinatorParametersSlot>(value);
+  return codec::encodeAs<robots::wire::CoordinatorParameters,
+                         robots::CoordinatorParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::CoordinatorParameters& value) {
-  return rpc::decodeAs<robots::wire::CoordinatorParameters,
-                       robots::CoordinatorParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::CoordinatorParameters,
+                         robots::CoordinatorParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -41,7 +41,7 @@ void load(const PermitSlot& slot, Permit& value) {
 }
 
 void shiftStamps(PermitSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const StopNews& value, StopNewsSlot& slot) {
@@ -61,7 +61,7 @@ void load(const StopNewsSlot& slot, StopNews& value) {
 }
 
 void shiftStamps(StopNewsSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const std::uint64_t& press, EmergencyStopReleaseArguments& slot) {
@@ -77,7 +77,7 @@ bool isValid(const StopNewsSlot&, suture::FieldPath*) {
 }
 
 // Defined in coordinator/emergency_stop.wire.cpp.
-const suture::rpc::Codec& emergencyStopCodec();
+const suture::codec::Codec& emergencyStopCodec();
 
 namespace {
 

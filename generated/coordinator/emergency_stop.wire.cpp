@@ -1,15 +1,15 @@
 // Written by suturec from coordinator/emergency_stop.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "coordinator/emergency_stop.capnp.h"
 #include "coordinator/emergency_stop.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -21,7 +21,7 @@ void toWire(const PermitSlot& slot, wire::Permit::Builder out) {
 
 suture::Errc fromWire(wire::Permit::Reader in, PermitSlot& slot, suture::Duration shift) {
   slot.granted = in.getGranted();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.press = in.getPress();
   return suture::Errc{};
 }
@@ -35,7 +35,7 @@ void toWire(const StopNewsSlot& slot, wire::StopNews::Builder out) {
 
 suture::Errc fromWire(wire::StopNews::Reader in, StopNewsSlot& slot, suture::Duration shift) {
   slot.pressed = in.getPressed();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.is_start = in.getIsStart();
   slot.press = in.getPress();
   return suture::Errc{};
@@ -99,43 +99,45 @@ suture::Errc decodeEmergencyStopColumn(wire::EmergencyStopStateRow::Reader in, u
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kEmergencyStopCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kEmergencyStopCommandCodecs[] = {
     {.interface = capnp::typeId<wire::EmergencyStop>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::EmergencyStop::PressParams>},
+     .sent = suture::codec::sentIn<wire::EmergencyStop::PressParams>},
     {.interface = capnp::typeId<wire::EmergencyStop>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::EmergencyStop::ReleaseParams>,
-     .arguments = suture::rpc::messageOf<wire::EmergencyStop::ReleaseParams,
-                                         EmergencyStopReleaseArguments, encodeEmergencyStopRelease,
-                                         decodeEmergencyStopRelease>},
+     .sent = suture::codec::sentIn<wire::EmergencyStop::ReleaseParams>,
+     .arguments = suture::codec::messageOf<wire::EmergencyStop::ReleaseParams,
+                                           EmergencyStopReleaseArguments,
+                                           encodeEmergencyStopRelease, decodeEmergencyStopRelease>},
     {.interface = capnp::typeId<wire::EmergencyStop>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::EmergencyStop::PermitParams>,
-     .result = suture::rpc::messageOf<wire::EmergencyStop::PermitResults, PermitSlot,
-                                      encodeEmergencyStopPermitResult,
-                                      decodeEmergencyStopPermitResult>,
-     .stamp = suture::rpc::stampIn<wire::EmergencyStop::PermitResults>},
+     .sent = suture::codec::sentIn<wire::EmergencyStop::PermitParams>,
+     .result = suture::codec::messageOf<wire::EmergencyStop::PermitResults, PermitSlot,
+                                        encodeEmergencyStopPermitResult,
+                                        decodeEmergencyStopPermitResult>,
+     .stamp = suture::codec::stampIn<wire::EmergencyStop::PermitResults>},
 };
 
-constexpr suture::rpc::EventCodec kEmergencyStopEventCodecs[] = {
+constexpr suture::codec::EventCodec kEmergencyStopEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::EmergencyStopEvents::StopParams>,
-     .payload = suture::rpc::messageOf<wire::EmergencyStopEvents::StopParams, StopNewsSlot,
-                                       encodeEmergencyStopStopEvent, decodeEmergencyStopStopEvent>},
+     .stamp = suture::codec::stampIn<wire::EmergencyStopEvents::StopParams>,
+     .payload = suture::codec::messageOf<wire::EmergencyStopEvents::StopParams, StopNewsSlot,
+                                         encodeEmergencyStopStopEvent,
+                                         decodeEmergencyStopStopEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& emergencyStopCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::EmergencyStop>,
+const suture::codec::Codec& emergencyStopCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::EmergencyStop>,
       .contract = capnp::typeId<wire::EmergencyStop>(),
       .subscriber = capnp::typeId<wire::EmergencyStopEvents>(),
       .commands = kEmergencyStopCommandCodecs,
       .events = kEmergencyStopEventCodecs,
-      .row = suture::rpc::rowOf<wire::EmergencyStopEvents::StateParams, wire::EmergencyStopStateRow,
-                                encodeEmergencyStopColumn, decodeEmergencyStopColumn>,
+      .row = suture::codec::rowOf<wire::EmergencyStopEvents::StateParams,
+                                  wire::EmergencyStopStateRow, encodeEmergencyStopColumn,
+                                  decodeEmergencyStopColumn>,
   };
   return kCodec;
 }
@@ -146,22 +148,22 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::Permit& value) {
-  return rpc::encodeAs<robots::wire::Permit, robots::PermitSlot>(value);
+  return codec::encodeAs<robots::wire::Permit, robots::PermitSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::Permit& value) {
-  return rpc::decodeAs<robots::wire::Permit, robots::PermitSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::Permit, robots::PermitSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::StopNews& value) {
-  return rpc::encodeAs<robots::wire::StopNews, robots::StopNewsSlot>(value);
+  return codec::encodeAs<robots::wire::StopNews, robots::StopNewsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::StopNews& value) {
-  return rpc::decodeAs<robots::wire::StopNews, robots::StopNewsSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::StopNews, robots::StopNewsSlot>(bytes, value);
 }
 
 }  // namespace suture

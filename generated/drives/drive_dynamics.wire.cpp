@@ -1,14 +1,14 @@
 // Written by suturec from drives/drive_dynamics.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "drives/drive_dynamics.capnp.h"
 #include "drives/drive_dynamics.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -56,12 +56,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::RigidBodyOptions& value) {
-  return rpc::encodeAs<robots::wire::RigidBodyOptions, robots::RigidBodyOptionsSlot>(value);
+  return codec::encodeAs<robots::wire::RigidBodyOptions, robots::RigidBodyOptionsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::RigidBodyOptions& value) {
-  return rpc::decodeAs<robots::wire::RigidBodyOptions, robots::RigidBodyOptionsSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::RigidBodyOptions,
+                         robots::RigidBodyOptionsSlot>(bytes, value);
 }
 
 }  // namespace suture

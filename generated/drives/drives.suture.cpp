@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -67,8 +67,8 @@ void load(const DriveFeedbackSlot& slot, DriveFeedback& value) {
 }
 
 void shiftStamps(DriveFeedbackSlot& slot, suture::Duration shift) {
-  slot.permitted = suture::rpc::shifted(slot.permitted, shift);
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.permitted = suture::codec::shifted(slot.permitted, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const DriveGoal& value, DriveGoalSlot& slot) {
@@ -94,7 +94,7 @@ bool store(const std::chrono::steady_clock::time_point& permitted, DrivesPowerOn
 }
 
 void shiftStamps(DrivesPowerOnArguments& slot, suture::Duration shift) {
-  slot.permitted = suture::rpc::shifted(slot.permitted, shift);
+  slot.permitted = suture::codec::shifted(slot.permitted, shift);
 }
 
 bool store(const DriveGoal& goal, DrivesServoJpArguments& slot) { return store(goal, slot.goal); }
@@ -123,7 +123,7 @@ bool isValid(const DriveGoalSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in drives/drives.wire.cpp.
-const suture::rpc::Codec& drivesCodec();
+const suture::codec::Codec& drivesCodec();
 
 namespace {
 

@@ -1,15 +1,15 @@
 // Written by suturec from drives/drives.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "drives/drives.capnp.h"
 #include "drives/drives.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -52,11 +52,11 @@ void toWire(const DriveFeedbackSlot& slot, wire::DriveFeedback::Builder out) {
 suture::Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot,
                       suture::Duration shift) {
   slot.joints = in.getJoints();
-  slot.permitted = suture::rpc::shifted(in.getPermitted(), shift);
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.permitted = suture::codec::shifted(in.getPermitted(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.measures_effort = in.getMeasuresEffort();
   slot.controls_effort = in.getControlsEffort();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getPosition(), slot.position),
       fromWire(in.getVelocity(), slot.velocity),
       fromWire(in.getPower(), slot.power),
@@ -75,7 +75,7 @@ void toWire(const DriveGoalSlot& slot, wire::DriveGoal::Builder out) {
 suture::Errc fromWire(wire::DriveGoal::Reader in, DriveGoalSlot& slot, suture::Duration) {
   slot.joints = in.getJoints();
   slot.gravity_compensation = in.getGravityCompensation();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getPosition(), slot.position),
       fromWire(in.getEffort(), slot.effort),
       fromWire(in.getReleased(), slot.released),
@@ -92,7 +92,7 @@ void encodeDrivesPowerOn(const DrivesPowerOnArguments& slot,
 }
 suture::Errc decodeDrivesPowerOn(wire::Drives::PowerOnParams::Reader in,
                                  DrivesPowerOnArguments& slot, suture::Duration shift) {
-  slot.permitted = suture::rpc::shifted(in.getPermitted(), shift);
+  slot.permitted = suture::codec::shifted(in.getPermitted(), shift);
   return suture::Errc{};
 }
 
@@ -148,46 +148,46 @@ suture::Errc decodeDrivesColumn(wire::DrivesStateRow::Reader in, unsigned column
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kDrivesCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kDrivesCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Drives>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Drives::PowerOnParams>,
-     .arguments = suture::rpc::messageOf<wire::Drives::PowerOnParams, DrivesPowerOnArguments,
-                                         encodeDrivesPowerOn, decodeDrivesPowerOn>},
+     .sent = suture::codec::sentIn<wire::Drives::PowerOnParams>,
+     .arguments = suture::codec::messageOf<wire::Drives::PowerOnParams, DrivesPowerOnArguments,
+                                           encodeDrivesPowerOn, decodeDrivesPowerOn>},
     {.interface = capnp::typeId<wire::Drives>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Drives::PowerOffParams>},
+     .sent = suture::codec::sentIn<wire::Drives::PowerOffParams>},
     {.interface = capnp::typeId<wire::Drives>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Drives::ServoJpParams>,
-     .arguments = suture::rpc::messageOf<wire::Drives::ServoJpParams, DrivesServoJpArguments,
-                                         encodeDrivesServoJp, decodeDrivesServoJp>},
+     .sent = suture::codec::sentIn<wire::Drives::ServoJpParams>,
+     .arguments = suture::codec::messageOf<wire::Drives::ServoJpParams, DrivesServoJpArguments,
+                                           encodeDrivesServoJp, decodeDrivesServoJp>},
     {.interface = capnp::typeId<wire::Drives>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Drives::FeedbackParams>,
-     .result = suture::rpc::messageOf<wire::Drives::FeedbackResults, DriveFeedbackSlot,
-                                      encodeDrivesFeedbackResult, decodeDrivesFeedbackResult>,
-     .stamp = suture::rpc::stampIn<wire::Drives::FeedbackResults>},
+     .sent = suture::codec::sentIn<wire::Drives::FeedbackParams>,
+     .result = suture::codec::messageOf<wire::Drives::FeedbackResults, DriveFeedbackSlot,
+                                        encodeDrivesFeedbackResult, decodeDrivesFeedbackResult>,
+     .stamp = suture::codec::stampIn<wire::Drives::FeedbackResults>},
 };
 
-constexpr suture::rpc::EventCodec kDrivesEventCodecs[] = {
+constexpr suture::codec::EventCodec kDrivesEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::DrivesEvents::PowerParams>,
-     .payload = suture::rpc::messageOf<wire::DrivesEvents::PowerParams, std::uint8_t,
-                                       encodeDrivesPowerEvent, decodeDrivesPowerEvent>},
+     .stamp = suture::codec::stampIn<wire::DrivesEvents::PowerParams>,
+     .payload = suture::codec::messageOf<wire::DrivesEvents::PowerParams, std::uint8_t,
+                                         encodeDrivesPowerEvent, decodeDrivesPowerEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& drivesCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Drives>,
+const suture::codec::Codec& drivesCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Drives>,
       .contract = capnp::typeId<wire::Drives>(),
       .subscriber = capnp::typeId<wire::DrivesEvents>(),
       .commands = kDrivesCommandCodecs,
       .events = kDrivesEventCodecs,
-      .row = suture::rpc::rowOf<wire::DrivesEvents::StateParams, wire::DrivesStateRow,
-                                encodeDrivesColumn, decodeDrivesColumn>,
+      .row = suture::codec::rowOf<wire::DrivesEvents::StateParams, wire::DrivesStateRow,
+                                  encodeDrivesColumn, decodeDrivesColumn>,
   };
   return kCodec;
 }
@@ -198,22 +198,22 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::DriveFeedback& value) {
-  return rpc::encodeAs<robots::wire::DriveFeedback, robots::DriveFeedbackSlot>(value);
+  return codec::encodeAs<robots::wire::DriveFeedback, robots::DriveFeedbackSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::DriveFeedback& value) {
-  return rpc::decodeAs<robots::wire::DriveFeedback, robots::DriveFeedbackSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::DriveFeedback, robots::DriveFeedbackSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::DriveGoal& value) {
-  return rpc::encodeAs<robots::wire::DriveGoal, robots::DriveGoalSlot>(value);
+  return codec::encodeAs<robots::wire::DriveGoal, robots::DriveGoalSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::DriveGoal& value) {
-  return rpc::decodeAs<robots::wire::DriveGoal, robots::DriveGoalSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::DriveGoal, robots::DriveGoalSlot>(bytes, value);
 }
 
 }  // namespace suture

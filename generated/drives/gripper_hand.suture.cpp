@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -18,7 +18,7 @@ bool store(const double& angle, GripperHandSqueezeArguments& slot) {
 }
 
 // Defined in drives/gripper_hand.wire.cpp.
-const suture::rpc::Codec& gripperHandCodec();
+const suture::codec::Codec& gripperHandCodec();
 
 namespace {
 

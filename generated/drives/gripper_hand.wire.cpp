@@ -1,14 +1,14 @@
 // Written by suturec from drives/gripper_hand.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "drives/gripper_hand.capnp.h"
 #include "drives/gripper_hand.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- GripperHand as Cap'n Proto
 
@@ -24,25 +24,25 @@ suture::Errc decodeGripperHandSqueeze(wire::GripperHand::SqueezeParams::Reader i
   return suture::Errc{};
 }
 
-constexpr suture::rpc::CommandCodec kGripperHandCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kGripperHandCommandCodecs[] = {
     {.interface = capnp::typeId<wire::GripperHand>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::GripperHand::SqueezeParams>,
-     .arguments = suture::rpc::messageOf<wire::GripperHand::SqueezeParams,
-                                         GripperHandSqueezeArguments, encodeGripperHandSqueeze,
-                                         decodeGripperHandSqueeze>},
+     .sent = suture::codec::sentIn<wire::GripperHand::SqueezeParams>,
+     .arguments = suture::codec::messageOf<wire::GripperHand::SqueezeParams,
+                                           GripperHandSqueezeArguments, encodeGripperHandSqueeze,
+                                           decodeGripperHandSqueeze>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& gripperHandCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::GripperHand>,
+const suture::codec::Codec& gripperHandCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::GripperHand>,
       .contract = capnp::typeId<wire::GripperHand>(),
       .subscriber = capnp::typeId<wire::GripperHandEvents>(),
       .commands = kGripperHandCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::GripperHandEvents::StateParams, wire::GripperHandStateRow>,
+      .row = suture::codec::rowOf<wire::GripperHandEvents::StateParams, wire::GripperHandStateRow>,
   };
   return kCodec;
 }

@@ -1,6 +1,6 @@
 // Written by suturec from drives/mtm_drives.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "drives/mtm_drives.capnp.h"
 #include "drives/mtm_drives.suture.h"
@@ -22,8 +22,8 @@ suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -43,7 +43,7 @@ suture::Errc fromWire(wire::MtmDrivesParameters::Reader in, MtmDrivesParametersS
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
   slot.permit = in.getPermit();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getSide(), slot.side),
       fromWire(in.getDynamics(), slot.dynamics),
       fromWire(in.getRigidBody(), slot.rigid_body, shift),
@@ -56,13 +56,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::MtmDrivesParameters& value) {
-  return rpc::encodeAs<robots::wire::MtmDrivesParameters, robots::MtmDrivesParametersSlot>(value);
+  return codec::encodeAs<robots::wire::MtmDrivesParameters, robots::MtmDrivesParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::MtmDrivesParameters& value) {
-  return rpc::decodeAs<robots::wire::MtmDrivesParameters,
-                       robots::MtmDrivesParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::MtmDrivesParameters,
+                         robots::MtmDrivesParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

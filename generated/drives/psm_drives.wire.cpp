@@ -1,6 +1,6 @@
 // Written by suturec from drives/psm_drives.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "drives/psm_drives.capnp.h"
 #include "drives/psm_drives.suture.h"
@@ -16,8 +16,8 @@ suture::Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& s
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -40,7 +40,7 @@ suture::Errc fromWire(wire::PsmDrivesParameters::Reader in, PsmDrivesParametersS
   slot.insertion_rate = in.getInsertionRate();
   slot.jaw_rate = in.getJawRate();
   slot.permit = in.getPermit();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getDynamics(), slot.dynamics),
       fromWire(in.getRigidBody(), slot.rigid_body, shift),
   });
@@ -52,13 +52,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::PsmDrivesParameters& value) {
-  return rpc::encodeAs<robots::wire::PsmDrivesParameters, robots::PsmDrivesParametersSlot>(value);
+  return codec::encodeAs<robots::wire::PsmDrivesParameters, robots::PsmDrivesParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::PsmDrivesParameters& value) {
-  return rpc::decodeAs<robots::wire::PsmDrivesParameters,
-                       robots::PsmDrivesParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::PsmDrivesParameters,
+                         robots::PsmDrivesParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -50,7 +50,7 @@ void load(const GuidanceProgressSlot& slot, GuidanceProgress& value) {
 }
 
 void shiftStamps(GuidanceProgressSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isKnownGuidanceState(std::uint8_t slot) {
@@ -72,7 +72,7 @@ bool isValid(const GuidanceProgressSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in guidance/guidance.wire.cpp.
-const suture::rpc::Codec& guidanceCodec();
+const suture::codec::Codec& guidanceCodec();
 
 namespace {
 

@@ -1,15 +1,15 @@
 // Written by suturec from guidance/guidance.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "guidance/guidance.capnp.h"
 #include "guidance/guidance.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -52,10 +52,10 @@ suture::Errc fromWire(wire::GuidanceProgress::Reader in, GuidanceProgressSlot& s
                       suture::Duration shift) {
   slot.distance_to_target = in.getDistanceToTarget();
   slot.lateral_error = in.getLateralError();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasKnot() ? fromWire(in.getKnot(), slot.knot)
-      : suture::rpc::fromDefault(GuidanceProgress().knot, slot.knot);
+      : suture::codec::fromDefault(GuidanceProgress().knot, slot.knot);
 }
 
 // --- Guidance as Cap'n Proto
@@ -128,47 +128,47 @@ suture::Errc decodeGuidanceColumn(wire::GuidanceStateRow::Reader in, unsigned co
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kGuidanceCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kGuidanceCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Guidance>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Guidance::GuidanceStateParams>,
-     .result = suture::rpc::messageOf<wire::Guidance::GuidanceStateResults, std::uint8_t,
-                                      encodeGuidanceGuidanceStateResult,
-                                      decodeGuidanceGuidanceStateResult>,
-     .stamp = suture::rpc::stampIn<wire::Guidance::GuidanceStateResults>},
+     .sent = suture::codec::sentIn<wire::Guidance::GuidanceStateParams>,
+     .result = suture::codec::messageOf<wire::Guidance::GuidanceStateResults, std::uint8_t,
+                                        encodeGuidanceGuidanceStateResult,
+                                        decodeGuidanceGuidanceStateResult>,
+     .stamp = suture::codec::stampIn<wire::Guidance::GuidanceStateResults>},
     {.interface = capnp::typeId<wire::Guidance>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Guidance::ProgressParams>,
-     .result = suture::rpc::messageOf<wire::Guidance::ProgressResults, GuidanceProgressSlot,
-                                      encodeGuidanceProgressResult, decodeGuidanceProgressResult>,
-     .stamp = suture::rpc::stampIn<wire::Guidance::ProgressResults>},
+     .sent = suture::codec::sentIn<wire::Guidance::ProgressParams>,
+     .result = suture::codec::messageOf<wire::Guidance::ProgressResults, GuidanceProgressSlot,
+                                        encodeGuidanceProgressResult, decodeGuidanceProgressResult>,
+     .stamp = suture::codec::stampIn<wire::Guidance::ProgressResults>},
     {.interface = capnp::typeId<wire::Guidance>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Guidance::EnableParams>},
+     .sent = suture::codec::sentIn<wire::Guidance::EnableParams>},
     {.interface = capnp::typeId<wire::Guidance>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Guidance::DisableParams>},
+     .sent = suture::codec::sentIn<wire::Guidance::DisableParams>},
 };
 
-constexpr suture::rpc::EventCodec kGuidanceEventCodecs[] = {
+constexpr suture::codec::EventCodec kGuidanceEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::GuidanceEvents::GuidanceStateParams>,
-     .payload = suture::rpc::messageOf<wire::GuidanceEvents::GuidanceStateParams, std::uint8_t,
-                                       encodeGuidanceGuidanceStateEvent,
-                                       decodeGuidanceGuidanceStateEvent>},
+     .stamp = suture::codec::stampIn<wire::GuidanceEvents::GuidanceStateParams>,
+     .payload = suture::codec::messageOf<wire::GuidanceEvents::GuidanceStateParams, std::uint8_t,
+                                         encodeGuidanceGuidanceStateEvent,
+                                         decodeGuidanceGuidanceStateEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& guidanceCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Guidance>,
+const suture::codec::Codec& guidanceCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Guidance>,
       .contract = capnp::typeId<wire::Guidance>(),
       .subscriber = capnp::typeId<wire::GuidanceEvents>(),
       .commands = kGuidanceCommandCodecs,
       .events = kGuidanceEventCodecs,
-      .row = suture::rpc::rowOf<wire::GuidanceEvents::StateParams, wire::GuidanceStateRow,
-                                encodeGuidanceColumn, decodeGuidanceColumn>,
+      .row = suture::codec::rowOf<wire::GuidanceEvents::StateParams, wire::GuidanceStateRow,
+                                  encodeGuidanceColumn, decodeGuidanceColumn>,
   };
   return kCodec;
 }
@@ -179,12 +179,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::GuidanceProgress& value) {
-  return rpc::encodeAs<robots::wire::GuidanceProgress, robots::GuidanceProgressSlot>(value);
+  return codec::encodeAs<robots::wire::GuidanceProgress, robots::GuidanceProgressSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::GuidanceProgress& value) {
-  return rpc::decodeAs<robots::wire::GuidanceProgress, robots::GuidanceProgressSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::GuidanceProgress,
+                         robots::GuidanceProgressSlot>(bytes, value);
 }
 
 }  // namespace suture

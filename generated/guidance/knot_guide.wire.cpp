@@ -1,14 +1,14 @@
 // Written by suturec from guidance/knot_guide.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "guidance/knot_guide.capnp.h"
 #include "guidance/knot_guide.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -49,11 +49,11 @@ suture::Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slo
   slot.separation = in.getSeparation();
   slot.friction = in.getFriction();
   slot.wrap = in.getWrap();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasTarget() ? fromWire(in.getTarget(), slot.target)
-          : suture::rpc::fromDefault(GuideParameters().target, slot.target),
+          : suture::codec::fromDefault(GuideParameters().target, slot.target),
       in.hasApproach() ? fromWire(in.getApproach(), slot.approach)
-          : suture::rpc::fromDefault(GuideParameters().approach, slot.approach),
+          : suture::codec::fromDefault(GuideParameters().approach, slot.approach),
   });
 }
 
@@ -63,12 +63,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::GuideParameters& value) {
-  return rpc::encodeAs<robots::wire::GuideParameters, robots::GuideParametersSlot>(value);
+  return codec::encodeAs<robots::wire::GuideParameters, robots::GuideParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::GuideParameters& value) {
-  return rpc::decodeAs<robots::wire::GuideParameters, robots::GuideParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::GuideParameters, robots::GuideParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

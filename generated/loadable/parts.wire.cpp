@@ -1,14 +1,14 @@
 // Written by suturec from loadable/parts.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "loadable/parts.capnp.h"
 #include "loadable/parts.suture.h"
 
 namespace loadable {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -31,7 +31,7 @@ void toWire(const SpindleParametersSlot& slot, wire::SpindleParameters::Builder 
 suture::Errc fromWire(wire::SpindleParameters::Reader in, SpindleParametersSlot& slot,
                       suture::Duration) {
   slot.cycles = in.getCycles();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getBrake(), slot.brake),
       fromWire(in.getKey(), slot.key),
   });
@@ -43,24 +43,24 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const loadable::PlatterParameters& value) {
-  return rpc::encodeAs<loadable::wire::PlatterParameters, loadable::PlatterParametersSlot>(value);
+  return codec::encodeAs<loadable::wire::PlatterParameters, loadable::PlatterParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, loadable::PlatterParameters& value) {
-  return rpc::decodeAs<loadable::wire::PlatterParameters,
-                       loadable::PlatterParametersSlot>(bytes, value);
+  return codec::decodeAs<loadable::wire::PlatterParameters,
+                         loadable::PlatterParametersSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const loadable::SpindleParameters& value) {
-  return rpc::encodeAs<loadable::wire::SpindleParameters, loadable::SpindleParametersSlot>(value);
+  return codec::encodeAs<loadable::wire::SpindleParameters, loadable::SpindleParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, loadable::SpindleParameters& value) {
-  return rpc::decodeAs<loadable::wire::SpindleParameters,
-                       loadable::SpindleParametersSlot>(bytes, value);
+  return codec::decodeAs<loadable::wire::SpindleParameters,
+                         loadable::SpindleParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

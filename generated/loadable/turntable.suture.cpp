@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -16,7 +16,7 @@ using suture::store;
 bool store(const double& angle, TurntableTurnArguments& slot) { return store(angle, slot.angle); }
 
 // Defined in loadable/turntable.wire.cpp.
-const suture::rpc::Codec& turntableCodec();
+const suture::codec::Codec& turntableCodec();
 
 namespace {
 

@@ -1,14 +1,14 @@
 // Written by suturec from loadable/turntable.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "loadable/turntable.capnp.h"
 #include "loadable/turntable.suture.h"
 
 namespace loadable {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Turntable as Cap'n Proto
 
@@ -59,31 +59,31 @@ suture::Errc decodeTurntableColumn(wire::TurntableStateRow::Reader in, unsigned 
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kTurntableCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kTurntableCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Turntable>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Turntable::TurnParams>,
-     .arguments = suture::rpc::messageOf<wire::Turntable::TurnParams, TurntableTurnArguments,
-                                         encodeTurntableTurn, decodeTurntableTurn>},
+     .sent = suture::codec::sentIn<wire::Turntable::TurnParams>,
+     .arguments = suture::codec::messageOf<wire::Turntable::TurnParams, TurntableTurnArguments,
+                                           encodeTurntableTurn, decodeTurntableTurn>},
     {.interface = capnp::typeId<wire::Turntable>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Turntable::AngleParams>,
-     .result = suture::rpc::messageOf<wire::Turntable::AngleResults, double,
-                                      encodeTurntableAngleResult, decodeTurntableAngleResult>,
-     .stamp = suture::rpc::stampIn<wire::Turntable::AngleResults>},
+     .sent = suture::codec::sentIn<wire::Turntable::AngleParams>,
+     .result = suture::codec::messageOf<wire::Turntable::AngleResults, double,
+                                        encodeTurntableAngleResult, decodeTurntableAngleResult>,
+     .stamp = suture::codec::stampIn<wire::Turntable::AngleResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& turntableCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Turntable>,
+const suture::codec::Codec& turntableCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Turntable>,
       .contract = capnp::typeId<wire::Turntable>(),
       .subscriber = capnp::typeId<wire::TurntableEvents>(),
       .commands = kTurntableCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::TurntableEvents::StateParams, wire::TurntableStateRow,
-                                encodeTurntableColumn, decodeTurntableColumn>,
+      .row = suture::codec::rowOf<wire::TurntableEvents::StateParams, wire::TurntableStateRow,
+                                  encodeTurntableColumn, decodeTurntableColumn>,
   };
   return kCodec;
 }

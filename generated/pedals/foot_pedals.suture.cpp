@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -40,7 +40,7 @@ void load(const PedalStateSlot& slot, PedalState& value) {
 }
 
 void shiftStamps(PedalStateSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isValid(const PedalStateSlot&, suture::FieldPath*) {
@@ -48,7 +48,7 @@ bool isValid(const PedalStateSlot&, suture::FieldPath*) {
 }
 
 // Defined in pedals/foot_pedals.wire.cpp.
-const suture::rpc::Codec& footPedalsCodec();
+const suture::codec::Codec& footPedalsCodec();
 
 namespace {
 

@@ -1,15 +1,15 @@
 // Written by suturec from pedals/foot_pedals.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "pedals/foot_pedals.capnp.h"
 #include "pedals/foot_pedals.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -24,7 +24,7 @@ suture::Errc fromWire(wire::PedalState::Reader in, PedalStateSlot& slot, suture:
   slot.clutch = in.getClutch();
   slot.camera = in.getCamera();
   slot.coagulation = in.getCoagulation();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   return suture::Errc{};
 }
 
@@ -97,42 +97,42 @@ suture::Errc decodeFootPedalsColumn(wire::FootPedalsStateRow::Reader in, unsigne
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kFootPedalsCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kFootPedalsCommandCodecs[] = {
     {.interface = capnp::typeId<wire::FootPedals>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::FootPedals::PedalsParams>,
-     .result = suture::rpc::messageOf<wire::FootPedals::PedalsResults, PedalStateSlot,
-                                      encodeFootPedalsPedalsResult, decodeFootPedalsPedalsResult>,
-     .stamp = suture::rpc::stampIn<wire::FootPedals::PedalsResults>},
+     .sent = suture::codec::sentIn<wire::FootPedals::PedalsParams>,
+     .result = suture::codec::messageOf<wire::FootPedals::PedalsResults, PedalStateSlot,
+                                        encodeFootPedalsPedalsResult, decodeFootPedalsPedalsResult>,
+     .stamp = suture::codec::stampIn<wire::FootPedals::PedalsResults>},
 };
 
-constexpr suture::rpc::EventCodec kFootPedalsEventCodecs[] = {
+constexpr suture::codec::EventCodec kFootPedalsEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::FootPedalsEvents::ClutchParams>,
-     .payload = suture::rpc::messageOf<wire::FootPedalsEvents::ClutchParams, std::uint8_t,
-                                       encodeFootPedalsClutchEvent, decodeFootPedalsClutchEvent>},
+     .stamp = suture::codec::stampIn<wire::FootPedalsEvents::ClutchParams>,
+     .payload = suture::codec::messageOf<wire::FootPedalsEvents::ClutchParams, std::uint8_t,
+                                         encodeFootPedalsClutchEvent, decodeFootPedalsClutchEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::FootPedalsEvents::CameraParams>,
-     .payload = suture::rpc::messageOf<wire::FootPedalsEvents::CameraParams, std::uint8_t,
-                                       encodeFootPedalsCameraEvent, decodeFootPedalsCameraEvent>},
+     .stamp = suture::codec::stampIn<wire::FootPedalsEvents::CameraParams>,
+     .payload = suture::codec::messageOf<wire::FootPedalsEvents::CameraParams, std::uint8_t,
+                                         encodeFootPedalsCameraEvent, decodeFootPedalsCameraEvent>},
     {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::FootPedalsEvents::CoagulationParams>,
-     .payload = suture::rpc::messageOf<wire::FootPedalsEvents::CoagulationParams, std::uint8_t,
-                                       encodeFootPedalsCoagulationEvent,
-                                       decodeFootPedalsCoagulationEvent>},
+     .stamp = suture::codec::stampIn<wire::FootPedalsEvents::CoagulationParams>,
+     .payload = suture::codec::messageOf<wire::FootPedalsEvents::CoagulationParams, std::uint8_t,
+                                         encodeFootPedalsCoagulationEvent,
+                                         decodeFootPedalsCoagulationEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& footPedalsCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::FootPedals>,
+const suture::codec::Codec& footPedalsCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::FootPedals>,
       .contract = capnp::typeId<wire::FootPedals>(),
       .subscriber = capnp::typeId<wire::FootPedalsEvents>(),
       .commands = kFootPedalsCommandCodecs,
       .events = kFootPedalsEventCodecs,
-      .row = suture::rpc::rowOf<wire::FootPedalsEvents::StateParams, wire::FootPedalsStateRow,
-                                encodeFootPedalsColumn, decodeFootPedalsColumn>,
+      .row = suture::codec::rowOf<wire::FootPedalsEvents::StateParams, wire::FootPedalsStateRow,
+                                  encodeFootPedalsColumn, decodeFootPedalsColumn>,
   };
   return kCodec;
 }
@@ -143,12 +143,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::PedalState& value) {
-  return rpc::encodeAs<robots::wire::PedalState, robots::PedalStateSlot>(value);
+  return codec::encodeAs<robots::wire::PedalState, robots::PedalStateSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::PedalState& value) {
-  return rpc::decodeAs<robots::wire::PedalState, robots::PedalStateSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::PedalState, robots::PedalStateSlot>(bytes, value);
 }
 
 }  // namespace suture

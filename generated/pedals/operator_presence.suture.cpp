@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -34,7 +34,7 @@ void load(const PresenceSlot& slot, Presence& value) {
 }
 
 void shiftStamps(PresenceSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isValid(const PresenceSlot&, suture::FieldPath*) {
@@ -42,7 +42,7 @@ bool isValid(const PresenceSlot&, suture::FieldPath*) {
 }
 
 // Defined in pedals/operator_presence.wire.cpp.
-const suture::rpc::Codec& operatorPresenceCodec();
+const suture::codec::Codec& operatorPresenceCodec();
 
 namespace {
 

@@ -1,15 +1,15 @@
 // Written by suturec from pedals/operator_presence.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "pedals/operator_presence.capnp.h"
 #include "pedals/operator_presence.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -20,7 +20,7 @@ void toWire(const PresenceSlot& slot, wire::Presence::Builder out) {
 
 suture::Errc fromWire(wire::Presence::Reader in, PresenceSlot& slot, suture::Duration shift) {
   slot.present = in.getPresent();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   return suture::Errc{};
 }
 
@@ -76,36 +76,36 @@ suture::Errc decodeOperatorPresenceColumn(wire::OperatorPresenceStateRow::Reader
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kOperatorPresenceCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kOperatorPresenceCommandCodecs[] = {
     {.interface = capnp::typeId<wire::OperatorPresence>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::OperatorPresence::PresenceParams>,
-     .result = suture::rpc::messageOf<wire::OperatorPresence::PresenceResults, PresenceSlot,
-                                      encodeOperatorPresencePresenceResult,
-                                      decodeOperatorPresencePresenceResult>,
-     .stamp = suture::rpc::stampIn<wire::OperatorPresence::PresenceResults>},
+     .sent = suture::codec::sentIn<wire::OperatorPresence::PresenceParams>,
+     .result = suture::codec::messageOf<wire::OperatorPresence::PresenceResults, PresenceSlot,
+                                        encodeOperatorPresencePresenceResult,
+                                        decodeOperatorPresencePresenceResult>,
+     .stamp = suture::codec::stampIn<wire::OperatorPresence::PresenceResults>},
 };
 
-constexpr suture::rpc::EventCodec kOperatorPresenceEventCodecs[] = {
+constexpr suture::codec::EventCodec kOperatorPresenceEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::OperatorPresenceEvents::OperatorPresentParams>,
-     .payload = suture::rpc::messageOf<wire::OperatorPresenceEvents::OperatorPresentParams,
-                                       std::uint8_t, encodeOperatorPresenceOperatorPresentEvent,
-                                       decodeOperatorPresenceOperatorPresentEvent>},
+     .stamp = suture::codec::stampIn<wire::OperatorPresenceEvents::OperatorPresentParams>,
+     .payload = suture::codec::messageOf<wire::OperatorPresenceEvents::OperatorPresentParams,
+                                         std::uint8_t, encodeOperatorPresenceOperatorPresentEvent,
+                                         decodeOperatorPresenceOperatorPresentEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& operatorPresenceCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::OperatorPresence>,
+const suture::codec::Codec& operatorPresenceCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::OperatorPresence>,
       .contract = capnp::typeId<wire::OperatorPresence>(),
       .subscriber = capnp::typeId<wire::OperatorPresenceEvents>(),
       .commands = kOperatorPresenceCommandCodecs,
       .events = kOperatorPresenceEventCodecs,
-      .row = suture::rpc::rowOf<wire::OperatorPresenceEvents::StateParams,
-                                wire::OperatorPresenceStateRow, encodeOperatorPresenceColumn,
-                                decodeOperatorPresenceColumn>,
+      .row = suture::codec::rowOf<wire::OperatorPresenceEvents::StateParams,
+                                  wire::OperatorPresenceStateRow, encodeOperatorPresenceColumn,
+                                  decodeOperatorPresenceColumn>,
   };
   return kCodec;
 }
@@ -116,12 +116,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::Presence& value) {
-  return rpc::encodeAs<robots::wire::Presence, robots::PresenceSlot>(value);
+  return codec::encodeAs<robots::wire::Presence, robots::PresenceSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::Presence& value) {
-  return rpc::decodeAs<robots::wire::Presence, robots::PresenceSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::Presence, robots::PresenceSlot>(bytes, value);
 }
 
 }  // namespace suture

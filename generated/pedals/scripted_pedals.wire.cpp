@@ -1,14 +1,14 @@
 // Written by suturec from pedals/scripted_pedals.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "pedals/scripted_pedals.capnp.h"
 #include "pedals/scripted_pedals.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -36,14 +36,14 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::ScriptedPedalsParameters& value) {
-  return rpc::encodeAs<robots::wire::ScriptedPedalsParameters,
-                       robots::ScriptedPedalsParametersSlot>(value);
+  return codec::encodeAs<robots::wire::ScriptedPedalsParameters,
+                         robots::ScriptedPedalsParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::ScriptedPedalsParameters& value) {
-  return rpc::decodeAs<robots::wire::ScriptedPedalsParameters,
-                       robots::ScriptedPedalsParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::ScriptedPedalsParameters,
+                         robots::ScriptedPedalsParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

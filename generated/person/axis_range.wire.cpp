@@ -1,14 +1,14 @@
 // Written by suturec from person/axis_range.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "person/axis_range.capnp.h"
 #include "person/axis_range.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -29,12 +29,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::AxisRange& value) {
-  return rpc::encodeAs<robots::wire::AxisRange, robots::AxisRangeSlot>(value);
+  return codec::encodeAs<robots::wire::AxisRange, robots::AxisRangeSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::AxisRange& value) {
-  return rpc::decodeAs<robots::wire::AxisRange, robots::AxisRangeSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::AxisRange, robots::AxisRangeSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,6 +1,6 @@
 // Written by suturec from person/gamepad.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "person/gamepad.capnp.h"
 #include "person/gamepad.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::AxisRange::Reader in, AxisRangeSlot& slot, suture::D
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -38,13 +38,13 @@ suture::Errc fromWire(wire::GamepadParameters::Reader in, GamepadParametersSlot&
   slot.turning_speed = in.getTurningSpeed();
   slot.opening = in.getOpening();
   slot.retry = in.getRetry();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasFile() ? fromWire(in.getFile(), slot.file)
-          : suture::rpc::fromDefault(GamepadParameters().file, slot.file),
+          : suture::codec::fromDefault(GamepadParameters().file, slot.file),
       in.hasStick() ? fromWire(in.getStick(), slot.stick, shift)
-          : suture::rpc::fromDefault(GamepadParameters().stick, slot.stick),
+          : suture::codec::fromDefault(GamepadParameters().stick, slot.stick),
       in.hasTrigger() ? fromWire(in.getTrigger(), slot.trigger, shift)
-          : suture::rpc::fromDefault(GamepadParameters().trigger, slot.trigger),
+          : suture::codec::fromDefault(GamepadParameters().trigger, slot.trigger),
   });
 }
 
@@ -54,13 +54,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::GamepadParameters& value) {
-  return rpc::encodeAs<robots::wire::GamepadParameters, robots::GamepadParametersSlot>(value);
+  return codec::encodeAs<robots::wire::GamepadParameters, robots::GamepadParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::GamepadParameters& value) {
-  return rpc::decodeAs<robots::wire::GamepadParameters,
-                       robots::GamepadParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::GamepadParameters,
+                         robots::GamepadParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,14 +1,14 @@
 // Written by suturec from person/keyboard.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "person/keyboard.capnp.h"
 #include "person/keyboard.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -29,7 +29,7 @@ suture::Errc fromWire(wire::KeyboardParameters::Reader in, KeyboardParametersSlo
   slot.opening = in.getOpening();
   slot.hold = in.getHold();
   return in.hasTerminal() ? fromWire(in.getTerminal(), slot.terminal)
-      : suture::rpc::fromDefault(KeyboardParameters().terminal, slot.terminal);
+      : suture::codec::fromDefault(KeyboardParameters().terminal, slot.terminal);
 }
 
 }  // namespace robots
@@ -38,13 +38,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::KeyboardParameters& value) {
-  return rpc::encodeAs<robots::wire::KeyboardParameters, robots::KeyboardParametersSlot>(value);
+  return codec::encodeAs<robots::wire::KeyboardParameters, robots::KeyboardParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::KeyboardParameters& value) {
-  return rpc::decodeAs<robots::wire::KeyboardParameters,
-                       robots::KeyboardParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::KeyboardParameters,
+                         robots::KeyboardParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,14 +1,14 @@
 // Written by suturec from recorder/knot_recorder.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "recorder/knot_recorder.capnp.h"
 #include "recorder/knot_recorder.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -21,7 +21,7 @@ suture::Errc fromWire(wire::KnotRecorderParameters::Reader in, KnotRecorderParam
                       suture::Duration) {
   slot.period = in.getPeriod();
   return in.hasFile() ? fromWire(in.getFile(), slot.file)
-      : suture::rpc::fromDefault(KnotRecorderParameters().file, slot.file);
+      : suture::codec::fromDefault(KnotRecorderParameters().file, slot.file);
 }
 
 }  // namespace robots
@@ -30,14 +30,14 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::KnotRecorderParameters& value) {
-  return rpc::encodeAs<robots::wire::KnotRecorderParameters,
-                       robots::KnotRecorderParametersSlot>(value);
+  return codec::encodeAs<robots::wire::KnotRecorderParameters,
+                         robots::KnotRecorderParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::KnotRecorderParameters& value) {
-  return rpc::decodeAs<robots::wire::KnotRecorderParameters,
-                       robots::KnotRecorderParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::KnotRecorderParameters,
+                         robots::KnotRecorderParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,14 +1,14 @@
 // Written by suturec from recorder/recorder.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "recorder/recorder.capnp.h"
 #include "recorder/recorder.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -21,7 +21,7 @@ suture::Errc fromWire(wire::RecorderParameters::Reader in, RecorderParametersSlo
                       suture::Duration) {
   slot.period = in.getPeriod();
   return in.hasFile() ? fromWire(in.getFile(), slot.file)
-      : suture::rpc::fromDefault(RecorderParameters().file, slot.file);
+      : suture::codec::fromDefault(RecorderParameters().file, slot.file);
 }
 
 }  // namespace robots
@@ -30,13 +30,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::RecorderParameters& value) {
-  return rpc::encodeAs<robots::wire::RecorderParameters, robots::RecorderParametersSlot>(value);
+  return codec::encodeAs<robots::wire::RecorderParameters, robots::RecorderParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::RecorderParameters& value) {
-  return rpc::decodeAs<robots::wire::RecorderParameters,
-                       robots::RecorderParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::RecorderParameters,
+                         robots::RecorderParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

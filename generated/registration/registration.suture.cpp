@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -63,7 +63,7 @@ bool isValid(const SceneFramesSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in registration/registration.wire.cpp.
-const suture::rpc::Codec& registrationCodec();
+const suture::codec::Codec& registrationCodec();
 
 namespace {
 

@@ -1,15 +1,15 @@
 // Written by suturec from registration/registration.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "registration/registration.capnp.h"
 #include "registration/registration.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -25,19 +25,19 @@ void toWire(const SceneFramesSlot& slot, wire::SceneFrames::Builder out) {
 
 suture::Errc fromWire(wire::SceneFrames::Reader in, SceneFramesSlot& slot, suture::Duration) {
   slot.tissue = in.getTissue();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasLeftBase() ? fromWire(in.getLeftBase(), slot.left_base)
-          : suture::rpc::fromDefault(SceneFrames().left_base, slot.left_base),
+          : suture::codec::fromDefault(SceneFrames().left_base, slot.left_base),
       in.hasRightBase() ? fromWire(in.getRightBase(), slot.right_base)
-          : suture::rpc::fromDefault(SceneFrames().right_base, slot.right_base),
+          : suture::codec::fromDefault(SceneFrames().right_base, slot.right_base),
       in.hasCamera() ? fromWire(in.getCamera(), slot.camera)
-          : suture::rpc::fromDefault(SceneFrames().camera, slot.camera),
+          : suture::codec::fromDefault(SceneFrames().camera, slot.camera),
       in.hasLeftMaster() ? fromWire(in.getLeftMaster(), slot.left_master)
-          : suture::rpc::fromDefault(SceneFrames().left_master, slot.left_master),
+          : suture::codec::fromDefault(SceneFrames().left_master, slot.left_master),
       in.hasRightMaster() ? fromWire(in.getRightMaster(), slot.right_master)
-          : suture::rpc::fromDefault(SceneFrames().right_master, slot.right_master),
+          : suture::codec::fromDefault(SceneFrames().right_master, slot.right_master),
       in.hasDisplay() ? fromWire(in.getDisplay(), slot.display)
-          : suture::rpc::fromDefault(SceneFrames().display, slot.display),
+          : suture::codec::fromDefault(SceneFrames().display, slot.display),
   });
 }
 
@@ -89,33 +89,34 @@ suture::Errc decodeRegistrationColumn(wire::RegistrationStateRow::Reader in, uns
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kRegistrationCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kRegistrationCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Registration>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Registration::FramesParams>,
-     .result = suture::rpc::messageOf<wire::Registration::FramesResults, SceneFramesSlot,
-                                      encodeRegistrationFramesResult,
-                                      decodeRegistrationFramesResult>,
-     .stamp = suture::rpc::stampIn<wire::Registration::FramesResults>},
+     .sent = suture::codec::sentIn<wire::Registration::FramesParams>,
+     .result = suture::codec::messageOf<wire::Registration::FramesResults, SceneFramesSlot,
+                                        encodeRegistrationFramesResult,
+                                        decodeRegistrationFramesResult>,
+     .stamp = suture::codec::stampIn<wire::Registration::FramesResults>},
     {.interface = capnp::typeId<wire::Registration>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Registration::SetCameraParams>,
-     .arguments = suture::rpc::messageOf<wire::Registration::SetCameraParams,
-                                         RegistrationSetCameraArguments,
-                                         encodeRegistrationSetCamera, decodeRegistrationSetCamera>},
+     .sent = suture::codec::sentIn<wire::Registration::SetCameraParams>,
+     .arguments = suture::codec::messageOf<wire::Registration::SetCameraParams,
+                                           RegistrationSetCameraArguments,
+                                           encodeRegistrationSetCamera,
+                                           decodeRegistrationSetCamera>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& registrationCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Registration>,
+const suture::codec::Codec& registrationCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Registration>,
       .contract = capnp::typeId<wire::Registration>(),
       .subscriber = capnp::typeId<wire::RegistrationEvents>(),
       .commands = kRegistrationCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::RegistrationEvents::StateParams, wire::RegistrationStateRow,
-                                encodeRegistrationColumn, decodeRegistrationColumn>,
+      .row = suture::codec::rowOf<wire::RegistrationEvents::StateParams, wire::RegistrationStateRow,
+                                  encodeRegistrationColumn, decodeRegistrationColumn>,
   };
   return kCodec;
 }
@@ -126,12 +127,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::SceneFrames& value) {
-  return rpc::encodeAs<robots::wire::SceneFrames, robots::SceneFramesSlot>(value);
+  return codec::encodeAs<robots::wire::SceneFrames, robots::SceneFramesSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::SceneFrames& value) {
-  return rpc::decodeAs<robots::wire::SceneFrames, robots::SceneFramesSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::SceneFrames, robots::SceneFramesSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -124,7 +124,7 @@ void load(const TwistSlot& slot, Twist& value) {
 }
 
 void shiftStamps(TwistSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const TwistGoal& value, TwistGoalSlot& slot) {
@@ -148,7 +148,7 @@ void load(const TwistGoalSlot& slot, TwistGoal& value) {
 }
 
 void shiftStamps(TwistGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const Wrench& value, WrenchSlot& slot) {
@@ -174,7 +174,7 @@ void load(const WrenchSlot& slot, Wrench& value) {
 }
 
 void shiftStamps(WrenchSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const WrenchGoal& value, WrenchGoalSlot& slot) {
@@ -194,7 +194,7 @@ void load(const WrenchGoalSlot& slot, WrenchGoal& value) {
 }
 
 void shiftStamps(WrenchGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const CartesianState& value, CartesianStateSlot& slot) {
@@ -228,7 +228,7 @@ void load(const CartesianStateSlot& slot, CartesianState& value) {
 }
 
 void shiftStamps(CartesianStateSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const CartesianGoal& value, CartesianGoalSlot& slot) {
@@ -260,7 +260,7 @@ void load(const CartesianGoalSlot& slot, CartesianGoal& value) {
 }
 
 void shiftStamps(CartesianGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const ServoCartesian& value, ServoCartesianSlot& slot) {
@@ -288,7 +288,7 @@ void load(const ServoCartesianSlot& slot, ServoCartesian& value) {
 }
 
 void shiftStamps(ServoCartesianSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const HalfPlaneGains& value, HalfPlaneGainsSlot& slot) {
@@ -348,7 +348,7 @@ void load(const CartesianImpedanceSlot& slot, CartesianImpedance& value) {
 }
 
 void shiftStamps(CartesianImpedanceSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isKnownServoMode(std::uint8_t slot) {

@@ -1,14 +1,14 @@
 // Written by suturec from robot_types/cartesian.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robot_types/cartesian.capnp.h"
 #include "robot_types/cartesian.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -60,13 +60,13 @@ void toWire(const TwistSlot& slot, wire::Twist::Builder out) {
 suture::Errc fromWire(wire::Twist::Reader in, TwistSlot& slot, suture::Duration shift) {
   slot.moving_frame = in.getMovingFrame();
   slot.reference_frame = in.getReferenceFrame();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasLinear() ? fromWire(in.getLinear(), slot.linear)
-          : suture::rpc::fromDefault(Twist().linear, slot.linear),
+          : suture::codec::fromDefault(Twist().linear, slot.linear),
       in.hasAngular() ? fromWire(in.getAngular(), slot.angular)
-          : suture::rpc::fromDefault(Twist().angular, slot.angular),
+          : suture::codec::fromDefault(Twist().angular, slot.angular),
   });
 }
 
@@ -80,18 +80,18 @@ void toWire(const TwistGoalSlot& slot, wire::TwistGoal::Builder out) {
 }
 
 suture::Errc fromWire(wire::TwistGoal::Reader in, TwistGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       in.hasLinear() ? fromWire(in.getLinear(), slot.linear)
-          : suture::rpc::fromDefault(TwistGoal().linear, slot.linear),
+          : suture::codec::fromDefault(TwistGoal().linear, slot.linear),
       in.hasAngular() ? fromWire(in.getAngular(), slot.angular)
-          : suture::rpc::fromDefault(TwistGoal().angular, slot.angular),
+          : suture::codec::fromDefault(TwistGoal().angular, slot.angular),
       in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
-          : suture::rpc::fromDefault(TwistGoal().linear_acceleration, slot.linear_acceleration),
+          : suture::codec::fromDefault(TwistGoal().linear_acceleration, slot.linear_acceleration),
       in.hasAngularAcceleration() ? fromWire(in.getAngularAcceleration(), slot.angular_acceleration)
-          : suture::rpc::fromDefault(TwistGoal().angular_acceleration, slot.angular_acceleration),
+          : suture::codec::fromDefault(TwistGoal().angular_acceleration, slot.angular_acceleration),
       in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
-          : suture::rpc::fromDefault(TwistGoal().mask, slot.mask),
+          : suture::codec::fromDefault(TwistGoal().mask, slot.mask),
   });
 }
 
@@ -108,15 +108,15 @@ void toWire(const WrenchSlot& slot, wire::Wrench::Builder out) {
 suture::Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, suture::Duration shift) {
   slot.moving_frame = in.getMovingFrame();
   slot.reference_frame = in.getReferenceFrame();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasForce() ? fromWire(in.getForce(), slot.force)
-          : suture::rpc::fromDefault(Wrench().force, slot.force),
+          : suture::codec::fromDefault(Wrench().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
-          : suture::rpc::fromDefault(Wrench().torque, slot.torque),
+          : suture::codec::fromDefault(Wrench().torque, slot.torque),
       in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
-          : suture::rpc::fromDefault(Wrench().mask, slot.mask),
+          : suture::codec::fromDefault(Wrench().mask, slot.mask),
   });
 }
 
@@ -128,14 +128,14 @@ void toWire(const WrenchGoalSlot& slot, wire::WrenchGoal::Builder out) {
 }
 
 suture::Errc fromWire(wire::WrenchGoal::Reader in, WrenchGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       in.hasForce() ? fromWire(in.getForce(), slot.force)
-          : suture::rpc::fromDefault(WrenchGoal().force, slot.force),
+          : suture::codec::fromDefault(WrenchGoal().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
-          : suture::rpc::fromDefault(WrenchGoal().torque, slot.torque),
+          : suture::codec::fromDefault(WrenchGoal().torque, slot.torque),
       in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
-          : suture::rpc::fromDefault(WrenchGoal().mask, slot.mask),
+          : suture::codec::fromDefault(WrenchGoal().mask, slot.mask),
   });
 }
 
@@ -160,18 +160,18 @@ suture::Errc fromWire(wire::CartesianState::Reader in, CartesianStateSlot& slot,
   slot.position_is_valid = in.getPositionIsValid();
   slot.velocity_is_valid = in.getVelocityIsValid();
   slot.force_is_valid = in.getForceIsValid();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : suture::rpc::fromDefault(CartesianState().position, slot.position),
+          : suture::codec::fromDefault(CartesianState().position, slot.position),
       in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
-          : suture::rpc::fromDefault(CartesianState().linear_velocity, slot.linear_velocity),
+          : suture::codec::fromDefault(CartesianState().linear_velocity, slot.linear_velocity),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : suture::rpc::fromDefault(CartesianState().angular_velocity, slot.angular_velocity),
+          : suture::codec::fromDefault(CartesianState().angular_velocity, slot.angular_velocity),
       in.hasForce() ? fromWire(in.getForce(), slot.force)
-          : suture::rpc::fromDefault(CartesianState().force, slot.force),
+          : suture::codec::fromDefault(CartesianState().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
-          : suture::rpc::fromDefault(CartesianState().torque, slot.torque),
+          : suture::codec::fromDefault(CartesianState().torque, slot.torque),
   });
 }
 
@@ -192,21 +192,21 @@ suture::Errc fromWire(wire::CartesianGoal::Reader in, CartesianGoalSlot& slot,
                       suture::Duration shift) {
   slot.moving_frame = in.getMovingFrame();
   slot.reference_frame = in.getReferenceFrame();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasGoal() ? fromWire(in.getGoal(), slot.goal)
-          : suture::rpc::fromDefault(CartesianGoal().goal, slot.goal),
+          : suture::codec::fromDefault(CartesianGoal().goal, slot.goal),
       in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
-          : suture::rpc::fromDefault(CartesianGoal().linear_velocity, slot.linear_velocity),
+          : suture::codec::fromDefault(CartesianGoal().linear_velocity, slot.linear_velocity),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : suture::rpc::fromDefault(CartesianGoal().angular_velocity, slot.angular_velocity),
+          : suture::codec::fromDefault(CartesianGoal().angular_velocity, slot.angular_velocity),
       in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
-          : suture::rpc::fromDefault(CartesianGoal().linear_acceleration, slot.linear_acceleration),
+          : suture::codec::fromDefault(CartesianGoal().linear_acceleration, slot.linear_acceleration),
       in.hasAngularAcceleration() ? fromWire(in.getAngularAcceleration(), slot.angular_acceleration)
-          : suture::rpc::fromDefault(CartesianGoal().angular_acceleration, slot.angular_acceleration),
+          : suture::codec::fromDefault(CartesianGoal().angular_acceleration, slot.angular_acceleration),
       in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
-          : suture::rpc::fromDefault(CartesianGoal().mask, slot.mask),
+          : suture::codec::fromDefault(CartesianGoal().mask, slot.mask),
   });
 }
 
@@ -217,33 +217,33 @@ void toWire(const ServoCartesianSlot& slot, wire::ServoCartesian::Builder out) {
   toWire(slot.angular_velocity, out.initAngularVelocity());
   toWire(slot.force, out.initForce());
   toWire(slot.torque, out.initTorque());
-  suture::rpc::toWireList(slot.axis_mode, out.initAxisMode(6),
-                          [](const std::uint8_t& element, auto list, std::uint32_t i) {
-                            list.set(i, wireServoMode(element));
-                          });
+  suture::codec::toWireList(slot.axis_mode, out.initAxisMode(6),
+                            [](const std::uint8_t& element, auto list, std::uint32_t i) {
+                              list.set(i, wireServoMode(element));
+                            });
   out.setStamp(slot.stamp);
 }
 
 suture::Errc fromWire(wire::ServoCartesian::Reader in, ServoCartesianSlot& slot,
                       suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       in.hasTaskFrame() ? fromWire(in.getTaskFrame(), slot.task_frame)
-          : suture::rpc::fromDefault(ServoCartesian().task_frame, slot.task_frame),
+          : suture::codec::fromDefault(ServoCartesian().task_frame, slot.task_frame),
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : suture::rpc::fromDefault(ServoCartesian().position, slot.position),
+          : suture::codec::fromDefault(ServoCartesian().position, slot.position),
       in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
-          : suture::rpc::fromDefault(ServoCartesian().linear_velocity, slot.linear_velocity),
+          : suture::codec::fromDefault(ServoCartesian().linear_velocity, slot.linear_velocity),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : suture::rpc::fromDefault(ServoCartesian().angular_velocity, slot.angular_velocity),
+          : suture::codec::fromDefault(ServoCartesian().angular_velocity, slot.angular_velocity),
       in.hasForce() ? fromWire(in.getForce(), slot.force)
-          : suture::rpc::fromDefault(ServoCartesian().force, slot.force),
+          : suture::codec::fromDefault(ServoCartesian().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
-          : suture::rpc::fromDefault(ServoCartesian().torque, slot.torque),
-      suture::rpc::fromWireList(in.getAxisMode(), slot.axis_mode,
-                                [](auto item, std::uint8_t& target) {
-                                  return fromWire(item, target);
-                                }),
+          : suture::codec::fromDefault(ServoCartesian().torque, slot.torque),
+      suture::codec::fromWireList(in.getAxisMode(), slot.axis_mode,
+                                  [](auto item, std::uint8_t& target) {
+                                    return fromWire(item, target);
+                                  }),
   });
 }
 
@@ -255,15 +255,15 @@ void toWire(const HalfPlaneGainsSlot& slot, wire::HalfPlaneGains::Builder out) {
 }
 
 suture::Errc fromWire(wire::HalfPlaneGains::Reader in, HalfPlaneGainsSlot& slot, suture::Duration) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasP() ? fromWire(in.getP(), slot.p)
-          : suture::rpc::fromDefault(HalfPlaneGains().p, slot.p),
+          : suture::codec::fromDefault(HalfPlaneGains().p, slot.p),
       in.hasD() ? fromWire(in.getD(), slot.d)
-          : suture::rpc::fromDefault(HalfPlaneGains().d, slot.d),
+          : suture::codec::fromDefault(HalfPlaneGains().d, slot.d),
       in.hasBias() ? fromWire(in.getBias(), slot.bias)
-          : suture::rpc::fromDefault(HalfPlaneGains().bias, slot.bias),
+          : suture::codec::fromDefault(HalfPlaneGains().bias, slot.bias),
       in.hasDeadband() ? fromWire(in.getDeadband(), slot.deadband)
-          : suture::rpc::fromDefault(HalfPlaneGains().deadband, slot.deadband),
+          : suture::codec::fromDefault(HalfPlaneGains().deadband, slot.deadband),
   });
 }
 
@@ -276,15 +276,15 @@ void toWire(const AngularHalfPlaneGainsSlot& slot, wire::AngularHalfPlaneGains::
 
 suture::Errc fromWire(wire::AngularHalfPlaneGains::Reader in, AngularHalfPlaneGainsSlot& slot,
                       suture::Duration) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasP() ? fromWire(in.getP(), slot.p)
-          : suture::rpc::fromDefault(AngularHalfPlaneGains().p, slot.p),
+          : suture::codec::fromDefault(AngularHalfPlaneGains().p, slot.p),
       in.hasD() ? fromWire(in.getD(), slot.d)
-          : suture::rpc::fromDefault(AngularHalfPlaneGains().d, slot.d),
+          : suture::codec::fromDefault(AngularHalfPlaneGains().d, slot.d),
       in.hasBias() ? fromWire(in.getBias(), slot.bias)
-          : suture::rpc::fromDefault(AngularHalfPlaneGains().bias, slot.bias),
+          : suture::codec::fromDefault(AngularHalfPlaneGains().bias, slot.bias),
       in.hasDeadband() ? fromWire(in.getDeadband(), slot.deadband)
-          : suture::rpc::fromDefault(AngularHalfPlaneGains().deadband, slot.deadband),
+          : suture::codec::fromDefault(AngularHalfPlaneGains().deadband, slot.deadband),
   });
 }
 
@@ -301,14 +301,14 @@ void toWire(const CartesianImpedanceSlot& slot, wire::CartesianImpedance::Builde
 
 suture::Errc fromWire(wire::CartesianImpedance::Reader in, CartesianImpedanceSlot& slot,
                       suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       in.hasForceOrientation() ? fromWire(in.getForceOrientation(), slot.force_orientation)
-          : suture::rpc::fromDefault(CartesianImpedance().force_orientation, slot.force_orientation),
+          : suture::codec::fromDefault(CartesianImpedance().force_orientation, slot.force_orientation),
       in.hasForcePosition() ? fromWire(in.getForcePosition(), slot.force_position)
-          : suture::rpc::fromDefault(CartesianImpedance().force_position, slot.force_position),
+          : suture::codec::fromDefault(CartesianImpedance().force_position, slot.force_position),
       in.hasTorqueOrientation() ? fromWire(in.getTorqueOrientation(), slot.torque_orientation)
-          : suture::rpc::fromDefault(CartesianImpedance().torque_orientation, slot.torque_orientation),
+          : suture::codec::fromDefault(CartesianImpedance().torque_orientation, slot.torque_orientation),
       fromWire(in.getPositionPositive(), slot.position_positive, shift),
       fromWire(in.getPositionNegative(), slot.position_negative, shift),
       fromWire(in.getOrientationPositive(), slot.orientation_positive, shift),
@@ -322,105 +322,105 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::Twist& value) {
-  return rpc::encodeAs<robots::wire::Twist, robots::TwistSlot>(value);
+  return codec::encodeAs<robots::wire::Twist, robots::TwistSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::Twist& value) {
-  return rpc::decodeAs<robots::wire::Twist, robots::TwistSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::Twist, robots::TwistSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::TwistGoal& value) {
-  return rpc::encodeAs<robots::wire::TwistGoal, robots::TwistGoalSlot>(value);
+  return codec::encodeAs<robots::wire::TwistGoal, robots::TwistGoalSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::TwistGoal& value) {
-  return rpc::decodeAs<robots::wire::TwistGoal, robots::TwistGoalSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::TwistGoal, robots::TwistGoalSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::Wrench& value) {
-  return rpc::encodeAs<robots::wire::Wrench, robots::WrenchSlot>(value);
+  return codec::encodeAs<robots::wire::Wrench, robots::WrenchSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::Wrench& value) {
-  return rpc::decodeAs<robots::wire::Wrench, robots::WrenchSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::Wrench, robots::WrenchSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::WrenchGoal& value) {
-  return rpc::encodeAs<robots::wire::WrenchGoal, robots::WrenchGoalSlot>(value);
+  return codec::encodeAs<robots::wire::WrenchGoal, robots::WrenchGoalSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::WrenchGoal& value) {
-  return rpc::decodeAs<robots::wire::WrenchGoal, robots::WrenchGoalSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::WrenchGoal, robots::WrenchGoalSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::CartesianState& value) {
-  return rpc::encodeAs<robots::wire::CartesianState, robots::CartesianStateSlot>(value);
+  return codec::encodeAs<robots::wire::CartesianState, robots::CartesianStateSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::CartesianState& value) {
-  return rpc::decodeAs<robots::wire::CartesianState, robots::CartesianStateSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::CartesianState, robots::CartesianStateSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::CartesianGoal& value) {
-  return rpc::encodeAs<robots::wire::CartesianGoal, robots::CartesianGoalSlot>(value);
+  return codec::encodeAs<robots::wire::CartesianGoal, robots::CartesianGoalSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::CartesianGoal& value) {
-  return rpc::decodeAs<robots::wire::CartesianGoal, robots::CartesianGoalSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::CartesianGoal, robots::CartesianGoalSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::ServoCartesian& value) {
-  return rpc::encodeAs<robots::wire::ServoCartesian, robots::ServoCartesianSlot>(value);
+  return codec::encodeAs<robots::wire::ServoCartesian, robots::ServoCartesianSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::ServoCartesian& value) {
-  return rpc::decodeAs<robots::wire::ServoCartesian, robots::ServoCartesianSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::ServoCartesian, robots::ServoCartesianSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::HalfPlaneGains& value) {
-  return rpc::encodeAs<robots::wire::HalfPlaneGains, robots::HalfPlaneGainsSlot>(value);
+  return codec::encodeAs<robots::wire::HalfPlaneGains, robots::HalfPlaneGainsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::HalfPlaneGains& value) {
-  return rpc::decodeAs<robots::wire::HalfPlaneGains, robots::HalfPlaneGainsSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::HalfPlaneGains, robots::HalfPlaneGainsSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::AngularHalfPlaneGains& value) {
-  return rpc::encodeAs<robots::wire::AngularHalfPlaneGains,
-                       robots::AngularHalfPlaneGainsSlot>(value);
+  return codec::encodeAs<robots::wire::AngularHalfPlaneGains,
+                         robots::AngularHalfPlaneGainsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::AngularHalfPlaneGains& value) {
-  return rpc::decodeAs<robots::wire::AngularHalfPlaneGains,
-                       robots::AngularHalfPlaneGainsSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::AngularHalfPlaneGains,
+                         robots::AngularHalfPlaneGainsSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::CartesianImpedance& value) {
-  return rpc::encodeAs<robots::wire::CartesianImpedance, robots::CartesianImpedanceSlot>(value);
+  return codec::encodeAs<robots::wire::CartesianImpedance, robots::CartesianImpedanceSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::CartesianImpedance& value) {
-  return rpc::decodeAs<robots::wire::CartesianImpedance,
-                       robots::CartesianImpedanceSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::CartesianImpedance,
+                         robots::CartesianImpedanceSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -52,7 +52,7 @@ void load(const ButtonEventSlot& slot, ButtonEvent& value) {
 }
 
 void shiftStamps(ButtonEventSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const InputData& value, InputDataSlot& slot) {
@@ -77,7 +77,7 @@ void reserve(const InputDataSlot*, InputData& value) {
 }
 
 void shiftStamps(InputDataSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const ImuSample& value, ImuSampleSlot& slot) {
@@ -99,7 +99,7 @@ void load(const ImuSampleSlot& slot, ImuSample& value) {
 }
 
 void shiftStamps(ImuSampleSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isKnownButtonAction(std::uint8_t slot) {

@@ -1,14 +1,14 @@
 // Written by suturec from robot_types/inputs.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robot_types/inputs.capnp.h"
 #include "robot_types/inputs.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -46,7 +46,7 @@ void toWire(const ButtonEventSlot& slot, wire::ButtonEvent::Builder out) {
 }
 
 suture::Errc fromWire(wire::ButtonEvent::Reader in, ButtonEventSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return fromWire(in.getType(), slot.type);
 }
@@ -59,9 +59,9 @@ void toWire(const InputDataSlot& slot, wire::InputData::Builder out) {
 }
 
 suture::Errc fromWire(wire::InputData::Reader in, InputDataSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getAnalogInputs(), slot.analog_inputs),
       fromWire(in.getDigitalInputs(), slot.digital_inputs),
   });
@@ -76,15 +76,15 @@ void toWire(const ImuSampleSlot& slot, wire::ImuSample::Builder out) {
 }
 
 suture::Errc fromWire(wire::ImuSample::Reader in, ImuSampleSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation)
-          : suture::rpc::fromDefault(ImuSample().orientation, slot.orientation),
+          : suture::codec::fromDefault(ImuSample().orientation, slot.orientation),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : suture::rpc::fromDefault(ImuSample().angular_velocity, slot.angular_velocity),
+          : suture::codec::fromDefault(ImuSample().angular_velocity, slot.angular_velocity),
       in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
-          : suture::rpc::fromDefault(ImuSample().linear_acceleration, slot.linear_acceleration),
+          : suture::codec::fromDefault(ImuSample().linear_acceleration, slot.linear_acceleration),
   });
 }
 
@@ -94,32 +94,32 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::ButtonEvent& value) {
-  return rpc::encodeAs<robots::wire::ButtonEvent, robots::ButtonEventSlot>(value);
+  return codec::encodeAs<robots::wire::ButtonEvent, robots::ButtonEventSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::ButtonEvent& value) {
-  return rpc::decodeAs<robots::wire::ButtonEvent, robots::ButtonEventSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::ButtonEvent, robots::ButtonEventSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::InputData& value) {
-  return rpc::encodeAs<robots::wire::InputData, robots::InputDataSlot>(value);
+  return codec::encodeAs<robots::wire::InputData, robots::InputDataSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::InputData& value) {
-  return rpc::decodeAs<robots::wire::InputData, robots::InputDataSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::InputData, robots::InputDataSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::ImuSample& value) {
-  return rpc::encodeAs<robots::wire::ImuSample, robots::ImuSampleSlot>(value);
+  return codec::encodeAs<robots::wire::ImuSample, robots::ImuSampleSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::ImuSample& value) {
-  return rpc::decodeAs<robots::wire::ImuSample, robots::ImuSampleSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::ImuSample, robots::ImuSampleSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -109,9 +109,9 @@ void reserve(const JointPositionSlot*, JointPosition& value) {
 
 void shiftStamps(JointPositionSlot& slot, suture::Duration shift) {
   for (auto& element : suture::elementsIn(slot.stamps)) {
-    element = suture::rpc::shifted(element, shift);
+    element = suture::codec::shifted(element, shift);
   }
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot) {
@@ -141,7 +141,7 @@ void reserve(const JointPositionGoalSlot*, JointPositionGoal& value) {
 }
 
 void shiftStamps(JointPositionGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const JointVelocity& value, JointVelocitySlot& slot) {
@@ -163,7 +163,7 @@ void reserve(const JointVelocitySlot*, JointVelocity& value) {
 }
 
 void shiftStamps(JointVelocitySlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot) {
@@ -195,7 +195,7 @@ void reserve(const JointVelocityGoalSlot*, JointVelocityGoal& value) {
 }
 
 void shiftStamps(JointVelocityGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot) {
@@ -218,7 +218,7 @@ void reserve(const JointEffortGoalSlot*, JointEffortGoal& value) {
 }
 
 void shiftStamps(JointEffortGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const JointConfiguration& value, JointConfigurationSlot& slot) {
@@ -296,7 +296,7 @@ void reserve(const ServoJointSlot*, ServoJoint& value) {
 }
 
 void shiftStamps(ServoJointSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot) {
@@ -351,7 +351,7 @@ void reserve(const JacobianSlot*, Jacobian& value) {
 }
 
 void shiftStamps(JacobianSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isKnownJointType(std::uint8_t slot) {

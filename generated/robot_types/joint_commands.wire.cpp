@@ -1,14 +1,14 @@
 // Written by suturec from robot_types/joint_commands.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robot_types/joint_commands.capnp.h"
 #include "robot_types/joint_commands.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -51,13 +51,14 @@ void toWire(const JointPositionSlot& slot, wire::JointPosition::Builder out) {
 
 suture::Errc fromWire(wire::JointPosition::Reader in, JointPositionSlot& slot,
                       suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getPosition(), slot.position),
-      suture::rpc::fromWireList(in.getStamps(), slot.stamps, [&](auto item, std::int64_t& target) {
-        return target = suture::rpc::shifted(item, shift), suture::Errc{};
-      }),
+      suture::codec::fromWireList(in.getStamps(), slot.stamps,
+                                  [&](auto item, std::int64_t& target) {
+                                    return target = suture::codec::shifted(item, shift), suture::Errc{};
+                                  }),
   });
 }
 
@@ -74,8 +75,8 @@ suture::Errc fromWire(wire::JointPositionGoal::Reader in, JointPositionGoalSlot&
                       suture::Duration shift) {
   slot.time_limit = in.getTimeLimit();
   slot.is_coordinated = in.getIsCoordinated();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       fromWire(in.getGoal(), slot.goal),
       fromWire(in.getVelocity(), slot.velocity),
       fromWire(in.getAcceleration(), slot.acceleration),
@@ -90,7 +91,7 @@ void toWire(const JointVelocitySlot& slot, wire::JointVelocity::Builder out) {
 
 suture::Errc fromWire(wire::JointVelocity::Reader in, JointVelocitySlot& slot,
                       suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return fromWire(in.getVelocity(), slot.velocity);
 }
@@ -106,8 +107,8 @@ void toWire(const JointVelocityGoalSlot& slot, wire::JointVelocityGoal::Builder 
 
 suture::Errc fromWire(wire::JointVelocityGoal::Reader in, JointVelocityGoalSlot& slot,
                       suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       fromWire(in.getGoal(), slot.goal),
       fromWire(in.getAcceleration(), slot.acceleration),
       fromWire(in.getDeceleration(), slot.deceleration),
@@ -124,8 +125,8 @@ void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out)
 
 suture::Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slot,
                       suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       fromWire(in.getEffort(), slot.effort),
       fromWire(in.getMask(), slot.mask),
   });
@@ -133,10 +134,10 @@ suture::Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slo
 
 void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builder out) {
   toWire(slot.name, out.initName(sizeOf(slot.name)));
-  suture::rpc::toWireList(slot.type, out.initType(sizeOf(slot.type)),
-                          [](const std::uint8_t& element, auto list, std::uint32_t i) {
-                            list.set(i, wireJointType(element));
-                          });
+  suture::codec::toWireList(slot.type, out.initType(sizeOf(slot.type)),
+                            [](const std::uint8_t& element, auto list, std::uint32_t i) {
+                              list.set(i, wireJointType(element));
+                            });
   toWire(slot.position_min, out.initPositionMin(sizeOf(slot.position_min)));
   toWire(slot.position_max, out.initPositionMax(sizeOf(slot.position_max)));
   toWire(slot.velocity_min, out.initVelocityMin(sizeOf(slot.velocity_min)));
@@ -151,9 +152,9 @@ void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builde
 suture::Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot,
                       suture::Duration) {
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getName(), slot.name),
-      suture::rpc::fromWireList(in.getType(), slot.type, [](auto item, std::uint8_t& target) {
+      suture::codec::fromWireList(in.getType(), slot.type, [](auto item, std::uint8_t& target) {
         return fromWire(item, target);
       }),
       fromWire(in.getPositionMin(), slot.position_min),
@@ -178,8 +179,8 @@ void toWire(const ServoJointSlot& slot, wire::ServoJoint::Builder out) {
 }
 
 suture::Errc fromWire(wire::ServoJoint::Reader in, ServoJointSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getMode(), slot.mode),
       fromWire(in.getPosition(), slot.position),
@@ -206,7 +207,7 @@ suture::Errc fromWire(wire::ActuatorJointCoupling::Reader in, ActuatorJointCoupl
                       suture::Duration) {
   slot.joints = in.getJoints();
   slot.actuators = in.getActuators();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getActuatorToJointPosition(), slot.actuator_to_joint_position),
       fromWire(in.getJointToActuatorPosition(), slot.joint_to_actuator_position),
       fromWire(in.getActuatorToJointEffort(), slot.actuator_to_joint_effort),
@@ -223,7 +224,7 @@ void toWire(const JacobianSlot& slot, wire::Jacobian::Builder out) {
 
 suture::Errc fromWire(wire::Jacobian::Reader in, JacobianSlot& slot, suture::Duration shift) {
   slot.joints = in.getJoints();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return fromWire(in.getCoefficients(), slot.coefficients);
 }
@@ -234,97 +235,97 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::JointPosition& value) {
-  return rpc::encodeAs<robots::wire::JointPosition, robots::JointPositionSlot>(value);
+  return codec::encodeAs<robots::wire::JointPosition, robots::JointPositionSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::JointPosition& value) {
-  return rpc::decodeAs<robots::wire::JointPosition, robots::JointPositionSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::JointPosition, robots::JointPositionSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::JointPositionGoal& value) {
-  return rpc::encodeAs<robots::wire::JointPositionGoal, robots::JointPositionGoalSlot>(value);
+  return codec::encodeAs<robots::wire::JointPositionGoal, robots::JointPositionGoalSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::JointPositionGoal& value) {
-  return rpc::decodeAs<robots::wire::JointPositionGoal,
-                       robots::JointPositionGoalSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::JointPositionGoal,
+                         robots::JointPositionGoalSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::JointVelocity& value) {
-  return rpc::encodeAs<robots::wire::JointVelocity, robots::JointVelocitySlot>(value);
+  return codec::encodeAs<robots::wire::JointVelocity, robots::JointVelocitySlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::JointVelocity& value) {
-  return rpc::decodeAs<robots::wire::JointVelocity, robots::JointVelocitySlot>(bytes, value);
+  return codec::decodeAs<robots::wire::JointVelocity, robots::JointVelocitySlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::JointVelocityGoal& value) {
-  return rpc::encodeAs<robots::wire::JointVelocityGoal, robots::JointVelocityGoalSlot>(value);
+  return codec::encodeAs<robots::wire::JointVelocityGoal, robots::JointVelocityGoalSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::JointVelocityGoal& value) {
-  return rpc::decodeAs<robots::wire::JointVelocityGoal,
-                       robots::JointVelocityGoalSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::JointVelocityGoal,
+                         robots::JointVelocityGoalSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::JointEffortGoal& value) {
-  return rpc::encodeAs<robots::wire::JointEffortGoal, robots::JointEffortGoalSlot>(value);
+  return codec::encodeAs<robots::wire::JointEffortGoal, robots::JointEffortGoalSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::JointEffortGoal& value) {
-  return rpc::decodeAs<robots::wire::JointEffortGoal, robots::JointEffortGoalSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::JointEffortGoal, robots::JointEffortGoalSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::JointConfiguration& value) {
-  return rpc::encodeAs<robots::wire::JointConfiguration, robots::JointConfigurationSlot>(value);
+  return codec::encodeAs<robots::wire::JointConfiguration, robots::JointConfigurationSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::JointConfiguration& value) {
-  return rpc::decodeAs<robots::wire::JointConfiguration,
-                       robots::JointConfigurationSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::JointConfiguration,
+                         robots::JointConfigurationSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::ServoJoint& value) {
-  return rpc::encodeAs<robots::wire::ServoJoint, robots::ServoJointSlot>(value);
+  return codec::encodeAs<robots::wire::ServoJoint, robots::ServoJointSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::ServoJoint& value) {
-  return rpc::decodeAs<robots::wire::ServoJoint, robots::ServoJointSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::ServoJoint, robots::ServoJointSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::ActuatorJointCoupling& value) {
-  return rpc::encodeAs<robots::wire::ActuatorJointCoupling,
-                       robots::ActuatorJointCouplingSlot>(value);
+  return codec::encodeAs<robots::wire::ActuatorJointCoupling,
+                         robots::ActuatorJointCouplingSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::ActuatorJointCoupling& value) {
-  return rpc::decodeAs<robots::wire::ActuatorJointCoupling,
-                       robots::ActuatorJointCouplingSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::ActuatorJointCoupling,
+                         robots::ActuatorJointCouplingSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::Jacobian& value) {
-  return rpc::encodeAs<robots::wire::Jacobian, robots::JacobianSlot>(value);
+  return codec::encodeAs<robots::wire::Jacobian, robots::JacobianSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::Jacobian& value) {
-  return rpc::decodeAs<robots::wire::Jacobian, robots::JacobianSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::Jacobian, robots::JacobianSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -58,7 +58,7 @@ void reserve(const JointStateSlot*, JointState& value) {
 }
 
 void shiftStamps(JointStateSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const JointGoal& value, JointGoalSlot& slot) {
@@ -78,7 +78,7 @@ void reserve(const JointGoalSlot*, JointGoal& value) {
 }
 
 void shiftStamps(JointGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const JointSolution& value, JointSolutionSlot& slot) {

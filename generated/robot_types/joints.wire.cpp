@@ -1,14 +1,14 @@
 // Written by suturec from robot_types/joints.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robot_types/joints.capnp.h"
 #include "robot_types/joints.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -22,9 +22,9 @@ void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
 }
 
 suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getPosition(), slot.position),
       fromWire(in.getVelocity(), slot.velocity),
@@ -38,7 +38,7 @@ void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out) {
 }
 
 suture::Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   return fromWire(in.getPosition(), slot.position);
 }
 
@@ -60,32 +60,32 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::JointState& value) {
-  return rpc::encodeAs<robots::wire::JointState, robots::JointStateSlot>(value);
+  return codec::encodeAs<robots::wire::JointState, robots::JointStateSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::JointState& value) {
-  return rpc::decodeAs<robots::wire::JointState, robots::JointStateSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::JointState, robots::JointStateSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::JointGoal& value) {
-  return rpc::encodeAs<robots::wire::JointGoal, robots::JointGoalSlot>(value);
+  return codec::encodeAs<robots::wire::JointGoal, robots::JointGoalSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::JointGoal& value) {
-  return rpc::decodeAs<robots::wire::JointGoal, robots::JointGoalSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::JointGoal, robots::JointGoalSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::JointSolution& value) {
-  return rpc::encodeAs<robots::wire::JointSolution, robots::JointSolutionSlot>(value);
+  return codec::encodeAs<robots::wire::JointSolution, robots::JointSolutionSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::JointSolution& value) {
-  return rpc::decodeAs<robots::wire::JointSolution, robots::JointSolutionSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::JointSolution, robots::JointSolutionSlot>(bytes, value);
 }
 
 }  // namespace suture

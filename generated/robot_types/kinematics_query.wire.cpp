@@ -1,14 +1,14 @@
 // Written by suturec from robot_types/kinematics_query.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robot_types/kinematics_query.capnp.h"
 #include "robot_types/kinematics_query.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -30,9 +30,9 @@ void toWire(const ForwardKinematicsResponseSlot& slot, wire::ForwardKinematicsRe
 suture::Errc fromWire(wire::ForwardKinematicsResponse::Reader in,
                       ForwardKinematicsResponseSlot& slot, suture::Duration) {
   slot.result = in.getResult();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasCp() ? fromWire(in.getCp(), slot.cp)
-          : suture::rpc::fromDefault(ForwardKinematicsResponse().cp, slot.cp),
+          : suture::codec::fromDefault(ForwardKinematicsResponse().cp, slot.cp),
       fromWire(in.getMessage(), slot.message),
   });
 }
@@ -44,9 +44,9 @@ void toWire(const InverseKinematicsRequestSlot& slot, wire::InverseKinematicsReq
 
 suture::Errc fromWire(wire::InverseKinematicsRequest::Reader in, InverseKinematicsRequestSlot& slot,
                       suture::Duration) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasCp() ? fromWire(in.getCp(), slot.cp)
-          : suture::rpc::fromDefault(InverseKinematicsRequest().cp, slot.cp),
+          : suture::codec::fromDefault(InverseKinematicsRequest().cp, slot.cp),
       fromWire(in.getJp(), slot.jp),
   });
 }
@@ -60,7 +60,7 @@ void toWire(const InverseKinematicsResponseSlot& slot, wire::InverseKinematicsRe
 suture::Errc fromWire(wire::InverseKinematicsResponse::Reader in,
                       InverseKinematicsResponseSlot& slot, suture::Duration) {
   slot.result = in.getResult();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getJp(), slot.jp),
       fromWire(in.getMessage(), slot.message),
   });
@@ -72,50 +72,50 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::ForwardKinematicsRequest& value) {
-  return rpc::encodeAs<robots::wire::ForwardKinematicsRequest,
-                       robots::ForwardKinematicsRequestSlot>(value);
+  return codec::encodeAs<robots::wire::ForwardKinematicsRequest,
+                         robots::ForwardKinematicsRequestSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::ForwardKinematicsRequest& value) {
-  return rpc::decodeAs<robots::wire::ForwardKinematicsRequest,
-                       robots::ForwardKinematicsRequestSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::ForwardKinematicsRequest,
+                         robots::ForwardKinematicsRequestSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::ForwardKinematicsResponse& value) {
-  return rpc::encodeAs<robots::wire::ForwardKinematicsResponse,
-                       robots::ForwardKinematicsResponseSlot>(value);
+  return codec::encodeAs<robots::wire::ForwardKinematicsResponse,
+                         robots::ForwardKinematicsResponseSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::ForwardKinematicsResponse& value) {
-  return rpc::decodeAs<robots::wire::ForwardKinematicsResponse,
-                       robots::ForwardKinematicsResponseSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::ForwardKinematicsResponse,
+                         robots::ForwardKinematicsResponseSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::InverseKinematicsRequest& value) {
-  return rpc::encodeAs<robots::wire::InverseKinematicsRequest,
-                       robots::InverseKinematicsRequestSlot>(value);
+  return codec::encodeAs<robots::wire::InverseKinematicsRequest,
+                         robots::InverseKinematicsRequestSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::InverseKinematicsRequest& value) {
-  return rpc::decodeAs<robots::wire::InverseKinematicsRequest,
-                       robots::InverseKinematicsRequestSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::InverseKinematicsRequest,
+                         robots::InverseKinematicsRequestSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::InverseKinematicsResponse& value) {
-  return rpc::encodeAs<robots::wire::InverseKinematicsResponse,
-                       robots::InverseKinematicsResponseSlot>(value);
+  return codec::encodeAs<robots::wire::InverseKinematicsResponse,
+                         robots::InverseKinematicsResponseSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::InverseKinematicsResponse& value) {
-  return rpc::decodeAs<robots::wire::InverseKinematicsResponse,
-                       robots::InverseKinematicsResponseSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::InverseKinematicsResponse,
+                         robots::InverseKinematicsResponseSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -52,7 +52,7 @@ void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value) {
 }
 
 void shiftStamps(IntervalStatisticsSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const KeyValue& value, KeyValueSlot& slot) {

@@ -1,14 +1,14 @@
 // Written by suturec from robot_types/messages.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robot_types/messages.capnp.h"
 #include "robot_types/messages.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -29,7 +29,7 @@ suture::Errc fromWire(wire::IntervalStatistics::Reader in, IntervalStatisticsSlo
   slot.period_min = in.getPeriodMin();
   slot.period_max = in.getPeriodMax();
   slot.samples = in.getSamples();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return suture::Errc{};
 }
@@ -40,7 +40,7 @@ void toWire(const KeyValueSlot& slot, wire::KeyValue::Builder out) {
 }
 
 suture::Errc fromWire(wire::KeyValue::Reader in, KeyValueSlot& slot, suture::Duration) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getKey(), slot.key),
       fromWire(in.getValue(), slot.value),
   });
@@ -52,23 +52,23 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::IntervalStatistics& value) {
-  return rpc::encodeAs<robots::wire::IntervalStatistics, robots::IntervalStatisticsSlot>(value);
+  return codec::encodeAs<robots::wire::IntervalStatistics, robots::IntervalStatisticsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::IntervalStatistics& value) {
-  return rpc::decodeAs<robots::wire::IntervalStatistics,
-                       robots::IntervalStatisticsSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::IntervalStatistics,
+                         robots::IntervalStatisticsSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::KeyValue& value) {
-  return rpc::encodeAs<robots::wire::KeyValue, robots::KeyValueSlot>(value);
+  return codec::encodeAs<robots::wire::KeyValue, robots::KeyValueSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::KeyValue& value) {
-  return rpc::decodeAs<robots::wire::KeyValue, robots::KeyValueSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::KeyValue, robots::KeyValueSlot>(bytes, value);
 }
 
 }  // namespace suture

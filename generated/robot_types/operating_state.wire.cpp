@@ -1,14 +1,14 @@
 // Written by suturec from robot_types/operating_state.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robot_types/operating_state.capnp.h"
 #include "robot_types/operating_state.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -51,8 +51,8 @@ suture::Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot,
                       suture::Duration shift) {
   slot.is_homed = in.getIsHomed();
   slot.is_busy = in.getIsBusy();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       fromWire(in.getState(), slot.state),
       fromWire(in.getSubState(), slot.sub_state),
   });
@@ -64,12 +64,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::OperatingState& value) {
-  return rpc::encodeAs<robots::wire::OperatingState, robots::OperatingStateSlot>(value);
+  return codec::encodeAs<robots::wire::OperatingState, robots::OperatingStateSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::OperatingState& value) {
-  return rpc::decodeAs<robots::wire::OperatingState, robots::OperatingStateSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::OperatingState, robots::OperatingStateSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -54,7 +54,7 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
 }
 
 void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const TransformStamped& value, TransformStampedSlot& slot) {
@@ -76,7 +76,7 @@ void load(const TransformStampedSlot& slot, TransformStamped& value) {
 }
 
 void shiftStamps(TransformStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const PoseSample& value, PoseSampleSlot& slot) {
@@ -98,7 +98,7 @@ void load(const PoseSampleSlot& slot, PoseSample& value) {
 }
 
 void shiftStamps(PoseSampleSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const PosePrm& value, PosePrmSlot& slot) {
@@ -127,7 +127,7 @@ void reserve(const PosePrmSlot*, PosePrm& value) {
 }
 
 void shiftStamps(PosePrmSlot& slot, suture::Duration shift) {
-  slot.timestamp = suture::rpc::shifted(slot.timestamp, shift);
+  slot.timestamp = suture::codec::shifted(slot.timestamp, shift);
 }
 
 bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {

@@ -1,14 +1,14 @@
 // Written by suturec from robot_types/pose.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robot_types/pose.capnp.h"
 #include "robot_types/pose.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -19,10 +19,10 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
 }
 
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasPose() ? fromWire(in.getPose(), slot.pose)
-      : suture::rpc::fromDefault(PoseStamped().pose, slot.pose);
+      : suture::codec::fromDefault(PoseStamped().pose, slot.pose);
 }
 
 void toWire(const TransformStampedSlot& slot, wire::TransformStamped::Builder out) {
@@ -37,10 +37,10 @@ suture::Errc fromWire(wire::TransformStamped::Reader in, TransformStampedSlot& s
                       suture::Duration shift) {
   slot.reference_frame = in.getReferenceFrame();
   slot.moving_frame = in.getMovingFrame();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasTransform() ? fromWire(in.getTransform(), slot.transform)
-      : suture::rpc::fromDefault(TransformStamped().transform, slot.transform);
+      : suture::codec::fromDefault(TransformStamped().transform, slot.transform);
 }
 
 void toWire(const PoseSampleSlot& slot, wire::PoseSample::Builder out) {
@@ -52,14 +52,14 @@ void toWire(const PoseSampleSlot& slot, wire::PoseSample::Builder out) {
 }
 
 suture::Errc fromWire(wire::PoseSample::Reader in, PoseSampleSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.sequence = in.getSequence();
   slot.flags = in.getFlags();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasRotation() ? fromWire(in.getRotation(), slot.rotation)
-          : suture::rpc::fromDefault(PoseSample().rotation, slot.rotation),
+          : suture::codec::fromDefault(PoseSample().rotation, slot.rotation),
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : suture::rpc::fromDefault(PoseSample().position, slot.position),
+          : suture::codec::fromDefault(PoseSample().position, slot.position),
   });
 }
 
@@ -73,14 +73,14 @@ void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out) {
 }
 
 suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift) {
-  slot.timestamp = suture::rpc::shifted(in.getTimestamp(), shift);
+  slot.timestamp = suture::codec::shifted(in.getTimestamp(), shift);
   slot.automatic_timestamp = in.getAutomaticTimestamp();
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getMovingFrame(), slot.moving_frame),
       fromWire(in.getReferenceFrame(), slot.reference_frame),
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : suture::rpc::fromDefault(PosePrm().position, slot.position),
+          : suture::codec::fromDefault(PosePrm().position, slot.position),
   });
 }
 
@@ -90,42 +90,43 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::PoseStamped& value) {
-  return rpc::encodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(value);
+  return codec::encodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::PoseStamped& value) {
-  return rpc::decodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::TransformStamped& value) {
-  return rpc::encodeAs<robots::wire::TransformStamped, robots::TransformStampedSlot>(value);
+  return codec::encodeAs<robots::wire::TransformStamped, robots::TransformStampedSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::TransformStamped& value) {
-  return rpc::decodeAs<robots::wire::TransformStamped, robots::TransformStampedSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::TransformStamped,
+                         robots::TransformStampedSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::PoseSample& value) {
-  return rpc::encodeAs<robots::wire::PoseSample, robots::PoseSampleSlot>(value);
+  return codec::encodeAs<robots::wire::PoseSample, robots::PoseSampleSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::PoseSample& value) {
-  return rpc::decodeAs<robots::wire::PoseSample, robots::PoseSampleSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::PoseSample, robots::PoseSampleSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::PosePrm& value) {
-  return rpc::encodeAs<robots::wire::PosePrm, robots::PosePrmSlot>(value);
+  return codec::encodeAs<robots::wire::PosePrm, robots::PosePrmSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::PosePrm& value) {
-  return rpc::decodeAs<robots::wire::PosePrm, robots::PosePrmSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::PosePrm, robots::PosePrmSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,13 +1,13 @@
 // Written by suturec from robot_types/side.h. Do not edit.
-#include <suture/wire/wire.h>
+#include <suture/codec/wire.h>
 
 #include "robot_types/side.capnp.h"
 #include "robot_types/side.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -74,7 +74,7 @@ void reserve(const PoseArraySlot*, PoseArray& value) {
 }
 
 void shiftStamps(PoseArraySlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const ImageFrame& value, ImageFrameSlot& slot) {
@@ -102,7 +102,7 @@ void reserve(const ImageFrameSlot*, ImageFrame& value) {
 }
 
 void shiftStamps(ImageFrameSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const CameraInfo& value, CameraInfoSlot& slot) {
@@ -130,7 +130,7 @@ void load(const CameraInfoSlot& slot, CameraInfo& value) {
 }
 
 void shiftStamps(CameraInfoSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const DepthMap& value, DepthMapSlot& slot) {
@@ -162,7 +162,7 @@ void reserve(const DepthMapSlot*, DepthMap& value) {
 }
 
 void shiftStamps(DepthMapSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isValid(const PoseArraySlot& slot, suture::FieldPath* path) {

@@ -1,39 +1,39 @@
 // Written by suturec from robot_types/vision.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robot_types/vision.capnp.h"
 #include "robot_types/vision.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
 void toWire(const PoseArraySlot& slot, wire::PoseArray::Builder out) {
   toWire(slot.reference_frame, out.initReferenceFrame(sizeOf(slot.reference_frame)));
   toWire(slot.moving_frames, out.initMovingFrames(sizeOf(slot.moving_frames)));
-  suture::rpc::toWireList(slot.positions, out.initPositions(sizeOf(slot.positions)),
-                          [](const std::array<double, 12>& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.positions, out.initPositions(sizeOf(slot.positions)),
+                            [](const std::array<double, 12>& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   toWire(slot.visible, out.initVisible(sizeOf(slot.visible)));
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
 
 suture::Errc fromWire(wire::PoseArray::Reader in, PoseArraySlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getReferenceFrame(), slot.reference_frame),
       fromWire(in.getMovingFrames(), slot.moving_frames),
-      suture::rpc::fromWireList(in.getPositions(), slot.positions,
-                                [](auto item, std::array<double, 12>& target) {
-                                  return fromWire(item, target);
-                                }),
+      suture::codec::fromWireList(in.getPositions(), slot.positions,
+                                  [](auto item, std::array<double, 12>& target) {
+                                    return fromWire(item, target);
+                                  }),
       fromWire(in.getVisible(), slot.visible),
   });
 }
@@ -51,7 +51,7 @@ suture::Errc fromWire(wire::ImageFrame::Reader in, ImageFrameSlot& slot, suture:
   slot.width = in.getWidth();
   slot.height = in.getHeight();
   slot.channels = in.getChannels();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return fromWire(in.getData(), slot.data);
 }
@@ -70,16 +70,16 @@ void toWire(const CameraInfoSlot& slot, wire::CameraInfo::Builder out) {
 suture::Errc fromWire(wire::CameraInfo::Reader in, CameraInfoSlot& slot, suture::Duration shift) {
   slot.width = in.getWidth();
   slot.height = in.getHeight();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getDistortion(), slot.distortion),
       in.hasIntrinsic() ? fromWire(in.getIntrinsic(), slot.intrinsic)
-          : suture::rpc::fromDefault(CameraInfo().intrinsic, slot.intrinsic),
+          : suture::codec::fromDefault(CameraInfo().intrinsic, slot.intrinsic),
       in.hasRectification() ? fromWire(in.getRectification(), slot.rectification)
-          : suture::rpc::fromDefault(CameraInfo().rectification, slot.rectification),
+          : suture::codec::fromDefault(CameraInfo().rectification, slot.rectification),
       in.getProjection().size() != 0 ? fromWire(in.getProjection(), slot.projection)
-          : suture::rpc::fromDefault(CameraInfo().projection, slot.projection),
+          : suture::codec::fromDefault(CameraInfo().projection, slot.projection),
   });
 }
 
@@ -96,9 +96,9 @@ void toWire(const DepthMapSlot& slot, wire::DepthMap::Builder out) {
 suture::Errc fromWire(wire::DepthMap::Reader in, DepthMapSlot& slot, suture::Duration shift) {
   slot.width = in.getWidth();
   slot.height = in.getHeight();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getReferenceFrame(), slot.reference_frame),
       fromWire(in.getPoints(), slot.points),
       fromWire(in.getColor(), slot.color),
@@ -111,42 +111,42 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::PoseArray& value) {
-  return rpc::encodeAs<robots::wire::PoseArray, robots::PoseArraySlot>(value);
+  return codec::encodeAs<robots::wire::PoseArray, robots::PoseArraySlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::PoseArray& value) {
-  return rpc::decodeAs<robots::wire::PoseArray, robots::PoseArraySlot>(bytes, value);
+  return codec::decodeAs<robots::wire::PoseArray, robots::PoseArraySlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::ImageFrame& value) {
-  return rpc::encodeAs<robots::wire::ImageFrame, robots::ImageFrameSlot>(value);
+  return codec::encodeAs<robots::wire::ImageFrame, robots::ImageFrameSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::ImageFrame& value) {
-  return rpc::decodeAs<robots::wire::ImageFrame, robots::ImageFrameSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::ImageFrame, robots::ImageFrameSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::CameraInfo& value) {
-  return rpc::encodeAs<robots::wire::CameraInfo, robots::CameraInfoSlot>(value);
+  return codec::encodeAs<robots::wire::CameraInfo, robots::CameraInfoSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::CameraInfo& value) {
-  return rpc::decodeAs<robots::wire::CameraInfo, robots::CameraInfoSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::CameraInfo, robots::CameraInfoSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::DepthMap& value) {
-  return rpc::encodeAs<robots::wire::DepthMap, robots::DepthMapSlot>(value);
+  return codec::encodeAs<robots::wire::DepthMap, robots::DepthMapSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::DepthMap& value) {
-  return rpc::decodeAs<robots::wire::DepthMap, robots::DepthMapSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::DepthMap, robots::DepthMapSlot>(bytes, value);
 }
 
 }  // namespace suture

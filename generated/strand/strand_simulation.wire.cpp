@@ -1,14 +1,14 @@
 // Written by suturec from strand/strand_simulation.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "strand/strand_simulation.capnp.h"
 #include "strand/strand_simulation.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -34,12 +34,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::StrandParameters& value) {
-  return rpc::encodeAs<robots::wire::StrandParameters, robots::StrandParametersSlot>(value);
+  return codec::encodeAs<robots::wire::StrandParameters, robots::StrandParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::StrandParameters& value) {
-  return rpc::decodeAs<robots::wire::StrandParameters, robots::StrandParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::StrandParameters,
+                         robots::StrandParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -46,7 +46,7 @@ void load(const StrandStateSlot& slot, StrandState& value) {
 }
 
 void shiftStamps(StrandStateSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isValid(const StrandStateSlot& slot, suture::FieldPath* path) {
@@ -57,7 +57,7 @@ bool isValid(const StrandStateSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in strand/strand_view.wire.cpp.
-const suture::rpc::Codec& strandViewCodec();
+const suture::codec::Codec& strandViewCodec();
 
 namespace {
 

@@ -1,15 +1,15 @@
 // Written by suturec from strand/strand_view.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "strand/strand_view.capnp.h"
 #include "strand/strand_view.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -26,10 +26,10 @@ suture::Errc fromWire(wire::StrandState::Reader in, StrandStateSlot& slot, sutur
   slot.left_length = in.getLeftLength();
   slot.left_tension = in.getLeftTension();
   slot.right_tension = in.getRightTension();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.getNodes().size() != 0 ? fromWire(in.getNodes(), slot.nodes)
-      : suture::rpc::fromDefault(StrandState().nodes, slot.nodes);
+      : suture::codec::fromDefault(StrandState().nodes, slot.nodes);
 }
 
 // --- StrandView as Cap'n Proto
@@ -71,26 +71,26 @@ suture::Errc decodeStrandViewColumn(wire::StrandViewStateRow::Reader in, unsigne
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kStrandViewCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kStrandViewCommandCodecs[] = {
     {.interface = capnp::typeId<wire::StrandView>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::StrandView::StrandParams>,
-     .result = suture::rpc::messageOf<wire::StrandView::StrandResults, StrandStateSlot,
-                                      encodeStrandViewStrandResult, decodeStrandViewStrandResult>,
-     .stamp = suture::rpc::stampIn<wire::StrandView::StrandResults>},
+     .sent = suture::codec::sentIn<wire::StrandView::StrandParams>,
+     .result = suture::codec::messageOf<wire::StrandView::StrandResults, StrandStateSlot,
+                                        encodeStrandViewStrandResult, decodeStrandViewStrandResult>,
+     .stamp = suture::codec::stampIn<wire::StrandView::StrandResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& strandViewCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::StrandView>,
+const suture::codec::Codec& strandViewCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::StrandView>,
       .contract = capnp::typeId<wire::StrandView>(),
       .subscriber = capnp::typeId<wire::StrandViewEvents>(),
       .commands = kStrandViewCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::StrandViewEvents::StateParams, wire::StrandViewStateRow,
-                                encodeStrandViewColumn, decodeStrandViewColumn>,
+      .row = suture::codec::rowOf<wire::StrandViewEvents::StateParams, wire::StrandViewStateRow,
+                                  encodeStrandViewColumn, decodeStrandViewColumn>,
   };
   return kCodec;
 }
@@ -101,12 +101,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::StrandState& value) {
-  return rpc::encodeAs<robots::wire::StrandState, robots::StrandStateSlot>(value);
+  return codec::encodeAs<robots::wire::StrandState, robots::StrandStateSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::StrandState& value) {
-  return rpc::decodeAs<robots::wire::StrandState, robots::StrandStateSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::StrandState, robots::StrandStateSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,14 +1,14 @@
 // Written by suturec from surgeon/knot_surgeon.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "surgeon/knot_surgeon.capnp.h"
 #include "surgeon/knot_surgeon.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -27,7 +27,7 @@ suture::Errc fromWire(wire::KnotSurgeonParameters::Reader in, KnotSurgeonParamet
   slot.sway = in.getSway();
   slot.sway_frequency = in.getSwayFrequency();
   return in.hasCarry() ? fromWire(in.getCarry(), slot.carry)
-      : suture::rpc::fromDefault(KnotSurgeonParameters().carry, slot.carry);
+      : suture::codec::fromDefault(KnotSurgeonParameters().carry, slot.carry);
 }
 
 }  // namespace robots
@@ -36,14 +36,14 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::KnotSurgeonParameters& value) {
-  return rpc::encodeAs<robots::wire::KnotSurgeonParameters,
-                       robots::KnotSurgeonParametersSlot>(value);
+  return codec::encodeAs<robots::wire::KnotSurgeonParameters,
+                         robots::KnotSurgeonParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::KnotSurgeonParameters& value) {
-  return rpc::decodeAs<robots::wire::KnotSurgeonParameters,
-                       robots::KnotSurgeonParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::KnotSurgeonParameters,
+                         robots::KnotSurgeonParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,14 +1,14 @@
 // Written by suturec from surgeon/operator.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "surgeon/operator.capnp.h"
 #include "surgeon/operator.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -63,9 +63,9 @@ suture::Errc fromWire(wire::OperatorParameters::Reader in, OperatorParametersSlo
   slot.damping = in.getDamping();
   slot.passive = in.getPassive();
   slot.slave_age = in.getSlaveAge();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasTarget() ? fromWire(in.getTarget(), slot.target)
-          : suture::rpc::fromDefault(OperatorParameters().target, slot.target),
+          : suture::codec::fromDefault(OperatorParameters().target, slot.target),
       fromWire(in.getForceFeedback(), slot.force_feedback),
   });
 }
@@ -76,13 +76,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::OperatorParameters& value) {
-  return rpc::encodeAs<robots::wire::OperatorParameters, robots::OperatorParametersSlot>(value);
+  return codec::encodeAs<robots::wire::OperatorParameters, robots::OperatorParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::OperatorParameters& value) {
-  return rpc::decodeAs<robots::wire::OperatorParameters,
-                       robots::OperatorParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::OperatorParameters,
+                         robots::OperatorParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

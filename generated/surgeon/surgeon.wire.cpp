@@ -1,14 +1,14 @@
 // Written by suturec from surgeon/surgeon.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "surgeon/surgeon.capnp.h"
 #include "surgeon/surgeon.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -38,13 +38,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::SurgeonParameters& value) {
-  return rpc::encodeAs<robots::wire::SurgeonParameters, robots::SurgeonParametersSlot>(value);
+  return codec::encodeAs<robots::wire::SurgeonParameters, robots::SurgeonParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::SurgeonParameters& value) {
-  return rpc::decodeAs<robots::wire::SurgeonParameters,
-                       robots::SurgeonParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::SurgeonParameters,
+                         robots::SurgeonParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

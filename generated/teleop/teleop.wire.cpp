@@ -1,6 +1,6 @@
 // Written by suturec from teleop/teleop.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "teleop/teleop.capnp.h"
 #include "teleop/teleop.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -53,7 +53,7 @@ suture::Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& s
   slot.jaw_rate = in.getJawRate();
   slot.jaw_ghost_rate = in.getJawGhostRate();
   slot.jaw_tolerance = in.getJawTolerance();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getMasterSide(), slot.master_side),
       fromWire(in.getSlaveSide(), slot.slave_side),
   });
@@ -65,12 +65,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::TeleopParameters& value) {
-  return rpc::encodeAs<robots::wire::TeleopParameters, robots::TeleopParametersSlot>(value);
+  return codec::encodeAs<robots::wire::TeleopParameters, robots::TeleopParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::TeleopParameters& value) {
-  return rpc::decodeAs<robots::wire::TeleopParameters, robots::TeleopParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::TeleopParameters,
+                         robots::TeleopParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

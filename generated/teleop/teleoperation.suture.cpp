@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -62,7 +62,7 @@ void load(const FollowAnchorsSlot& slot, FollowAnchors& value) {
 }
 
 void shiftStamps(FollowAnchorsSlot& slot, suture::Duration shift) {
-  slot.master_stamp = suture::rpc::shifted(slot.master_stamp, shift);
+  slot.master_stamp = suture::codec::shifted(slot.master_stamp, shift);
 }
 
 bool store(const TeleopSettings& value, TeleopSettingsSlot& slot) {
@@ -115,7 +115,7 @@ bool isValid(const TeleopSettingsSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in teleop/teleoperation.wire.cpp.
-const suture::rpc::Codec& teleoperationCodec();
+const suture::codec::Codec& teleoperationCodec();
 
 namespace {
 

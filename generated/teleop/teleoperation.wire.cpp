@@ -1,15 +1,15 @@
 // Written by suturec from teleop/teleoperation.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "teleop/teleoperation.capnp.h"
 #include "teleop/teleoperation.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -53,18 +53,18 @@ void toWire(const FollowAnchorsSlot& slot, wire::FollowAnchors::Builder out) {
 
 suture::Errc fromWire(wire::FollowAnchors::Reader in, FollowAnchorsSlot& slot,
                       suture::Duration shift) {
-  slot.master_stamp = suture::rpc::shifted(in.getMasterStamp(), shift);
+  slot.master_stamp = suture::codec::shifted(in.getMasterStamp(), shift);
   slot.scale = in.getScale();
   slot.entry = in.getEntry();
   slot.rotation_locked = in.getRotationLocked();
   slot.translation_locked = in.getTranslationLocked();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasMaster() ? fromWire(in.getMaster(), slot.master)
-          : suture::rpc::fromDefault(FollowAnchors().master, slot.master),
+          : suture::codec::fromDefault(FollowAnchors().master, slot.master),
       in.hasSlaveSetpoint() ? fromWire(in.getSlaveSetpoint(), slot.slave_setpoint)
-          : suture::rpc::fromDefault(FollowAnchors().slave_setpoint, slot.slave_setpoint),
+          : suture::codec::fromDefault(FollowAnchors().slave_setpoint, slot.slave_setpoint),
       in.hasView() ? fromWire(in.getView(), slot.view)
-          : suture::rpc::fromDefault(FollowAnchors().view, slot.view),
+          : suture::codec::fromDefault(FollowAnchors().view, slot.view),
   });
 }
 
@@ -226,85 +226,87 @@ suture::Errc decodeTeleoperationColumn(wire::TeleoperationStateRow::Reader in, u
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kTeleoperationCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kTeleoperationCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Teleoperation::EnableParams>},
+     .sent = suture::codec::sentIn<wire::Teleoperation::EnableParams>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Teleoperation::DisableParams>},
+     .sent = suture::codec::sentIn<wire::Teleoperation::DisableParams>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Teleoperation::TeleopStateParams>,
-     .result = suture::rpc::messageOf<wire::Teleoperation::TeleopStateResults, std::uint8_t,
-                                      encodeTeleoperationTeleopStateResult,
-                                      decodeTeleoperationTeleopStateResult>,
-     .stamp = suture::rpc::stampIn<wire::Teleoperation::TeleopStateResults>},
+     .sent = suture::codec::sentIn<wire::Teleoperation::TeleopStateParams>,
+     .result = suture::codec::messageOf<wire::Teleoperation::TeleopStateResults, std::uint8_t,
+                                        encodeTeleoperationTeleopStateResult,
+                                        decodeTeleoperationTeleopStateResult>,
+     .stamp = suture::codec::stampIn<wire::Teleoperation::TeleopStateResults>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Teleoperation::AnchorsParams>,
-     .result = suture::rpc::messageOf<wire::Teleoperation::AnchorsResults, FollowAnchorsSlot,
-                                      encodeTeleoperationAnchorsResult,
-                                      decodeTeleoperationAnchorsResult>,
-     .stamp = suture::rpc::stampIn<wire::Teleoperation::AnchorsResults>},
+     .sent = suture::codec::sentIn<wire::Teleoperation::AnchorsParams>,
+     .result = suture::codec::messageOf<wire::Teleoperation::AnchorsResults, FollowAnchorsSlot,
+                                        encodeTeleoperationAnchorsResult,
+                                        decodeTeleoperationAnchorsResult>,
+     .stamp = suture::codec::stampIn<wire::Teleoperation::AnchorsResults>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 5,
-     .sent = suture::rpc::sentIn<wire::Teleoperation::SetScaleParams>,
-     .arguments = suture::rpc::messageOf<wire::Teleoperation::SetScaleParams,
-                                         TeleoperationSetScaleArguments,
-                                         encodeTeleoperationSetScale, decodeTeleoperationSetScale>},
+     .sent = suture::codec::sentIn<wire::Teleoperation::SetScaleParams>,
+     .arguments = suture::codec::messageOf<wire::Teleoperation::SetScaleParams,
+                                           TeleoperationSetScaleArguments,
+                                           encodeTeleoperationSetScale,
+                                           decodeTeleoperationSetScale>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 6,
-     .sent = suture::rpc::sentIn<wire::Teleoperation::LockRotationParams>,
-     .arguments = suture::rpc::messageOf<wire::Teleoperation::LockRotationParams,
-                                         TeleoperationLockRotationArguments,
-                                         encodeTeleoperationLockRotation,
-                                         decodeTeleoperationLockRotation>},
+     .sent = suture::codec::sentIn<wire::Teleoperation::LockRotationParams>,
+     .arguments = suture::codec::messageOf<wire::Teleoperation::LockRotationParams,
+                                           TeleoperationLockRotationArguments,
+                                           encodeTeleoperationLockRotation,
+                                           decodeTeleoperationLockRotation>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 7,
-     .sent = suture::rpc::sentIn<wire::Teleoperation::LockTranslationParams>,
-     .arguments = suture::rpc::messageOf<wire::Teleoperation::LockTranslationParams,
-                                         TeleoperationLockTranslationArguments,
-                                         encodeTeleoperationLockTranslation,
-                                         decodeTeleoperationLockTranslation>},
+     .sent = suture::codec::sentIn<wire::Teleoperation::LockTranslationParams>,
+     .arguments = suture::codec::messageOf<wire::Teleoperation::LockTranslationParams,
+                                           TeleoperationLockTranslationArguments,
+                                           encodeTeleoperationLockTranslation,
+                                           decodeTeleoperationLockTranslation>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 8,
-     .sent = suture::rpc::sentIn<wire::Teleoperation::SettingsParams>,
-     .result = suture::rpc::messageOf<wire::Teleoperation::SettingsResults, TeleopSettingsSlot,
-                                      encodeTeleoperationSettingsResult,
-                                      decodeTeleoperationSettingsResult>,
-     .stamp = suture::rpc::stampIn<wire::Teleoperation::SettingsResults>},
+     .sent = suture::codec::sentIn<wire::Teleoperation::SettingsParams>,
+     .result = suture::codec::messageOf<wire::Teleoperation::SettingsResults, TeleopSettingsSlot,
+                                        encodeTeleoperationSettingsResult,
+                                        decodeTeleoperationSettingsResult>,
+     .stamp = suture::codec::stampIn<wire::Teleoperation::SettingsResults>},
 };
 
-constexpr suture::rpc::EventCodec kTeleoperationEventCodecs[] = {
+constexpr suture::codec::EventCodec kTeleoperationEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::TeleoperationEvents::TeleopStateParams>,
-     .payload = suture::rpc::messageOf<wire::TeleoperationEvents::TeleopStateParams, std::uint8_t,
-                                       encodeTeleoperationTeleopStateEvent,
-                                       decodeTeleoperationTeleopStateEvent>},
+     .stamp = suture::codec::stampIn<wire::TeleoperationEvents::TeleopStateParams>,
+     .payload = suture::codec::messageOf<wire::TeleoperationEvents::TeleopStateParams, std::uint8_t,
+                                         encodeTeleoperationTeleopStateEvent,
+                                         decodeTeleoperationTeleopStateEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::TeleoperationEvents::FollowedParams>,
-     .payload = suture::rpc::messageOf<wire::TeleoperationEvents::FollowedParams, FollowAnchorsSlot,
-                                       encodeTeleoperationFollowedEvent,
-                                       decodeTeleoperationFollowedEvent>},
+     .stamp = suture::codec::stampIn<wire::TeleoperationEvents::FollowedParams>,
+     .payload = suture::codec::messageOf<wire::TeleoperationEvents::FollowedParams,
+                                         FollowAnchorsSlot, encodeTeleoperationFollowedEvent,
+                                         decodeTeleoperationFollowedEvent>},
     {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::TeleoperationEvents::SettingsParams>,
-     .payload = suture::rpc::messageOf<wire::TeleoperationEvents::SettingsParams,
-                                       TeleopSettingsSlot, encodeTeleoperationSettingsEvent,
-                                       decodeTeleoperationSettingsEvent>},
+     .stamp = suture::codec::stampIn<wire::TeleoperationEvents::SettingsParams>,
+     .payload = suture::codec::messageOf<wire::TeleoperationEvents::SettingsParams,
+                                         TeleopSettingsSlot, encodeTeleoperationSettingsEvent,
+                                         decodeTeleoperationSettingsEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& teleoperationCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Teleoperation>,
+const suture::codec::Codec& teleoperationCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Teleoperation>,
       .contract = capnp::typeId<wire::Teleoperation>(),
       .subscriber = capnp::typeId<wire::TeleoperationEvents>(),
       .commands = kTeleoperationCommandCodecs,
       .events = kTeleoperationEventCodecs,
-      .row = suture::rpc::rowOf<wire::TeleoperationEvents::StateParams, wire::TeleoperationStateRow,
-                                encodeTeleoperationColumn, decodeTeleoperationColumn>,
+      .row = suture::codec::rowOf<wire::TeleoperationEvents::StateParams,
+                                  wire::TeleoperationStateRow, encodeTeleoperationColumn,
+                                  decodeTeleoperationColumn>,
   };
   return kCodec;
 }
@@ -315,22 +317,22 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::FollowAnchors& value) {
-  return rpc::encodeAs<robots::wire::FollowAnchors, robots::FollowAnchorsSlot>(value);
+  return codec::encodeAs<robots::wire::FollowAnchors, robots::FollowAnchorsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::FollowAnchors& value) {
-  return rpc::decodeAs<robots::wire::FollowAnchors, robots::FollowAnchorsSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::FollowAnchors, robots::FollowAnchorsSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::TeleopSettings& value) {
-  return rpc::encodeAs<robots::wire::TeleopSettings, robots::TeleopSettingsSlot>(value);
+  return codec::encodeAs<robots::wire::TeleopSettings, robots::TeleopSettingsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::TeleopSettings& value) {
-  return rpc::decodeAs<robots::wire::TeleopSettings, robots::TeleopSettingsSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::TeleopSettings, robots::TeleopSettingsSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,14 +1,14 @@
 // Written by suturec from vision/knot_tracker.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "vision/knot_tracker.capnp.h"
 #include "vision/knot_tracker.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -32,13 +32,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::TrackerParameters& value) {
-  return rpc::encodeAs<robots::wire::TrackerParameters, robots::TrackerParametersSlot>(value);
+  return codec::encodeAs<robots::wire::TrackerParameters, robots::TrackerParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::TrackerParameters& value) {
-  return rpc::decodeAs<robots::wire::TrackerParameters,
-                       robots::TrackerParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::TrackerParameters,
+                         robots::TrackerParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

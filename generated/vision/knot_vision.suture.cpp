@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -43,7 +43,7 @@ void load(const KnotSightingSlot& slot, KnotSighting& value) {
 }
 
 void shiftStamps(KnotSightingSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isValid(const KnotSightingSlot& slot, suture::FieldPath* path) {
@@ -53,7 +53,7 @@ bool isValid(const KnotSightingSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in vision/knot_vision.wire.cpp.
-const suture::rpc::Codec& knotVisionCodec();
+const suture::codec::Codec& knotVisionCodec();
 
 namespace {
 

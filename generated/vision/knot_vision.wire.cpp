@@ -1,15 +1,15 @@
 // Written by suturec from vision/knot_vision.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "vision/knot_vision.capnp.h"
 #include "vision/knot_vision.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -23,15 +23,15 @@ void toWire(const KnotSightingSlot& slot, wire::KnotSighting::Builder out) {
 
 suture::Errc fromWire(wire::KnotSighting::Reader in, KnotSightingSlot& slot,
                       suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasKnot() ? fromWire(in.getKnot(), slot.knot)
-          : suture::rpc::fromDefault(KnotSighting().knot, slot.knot),
+          : suture::codec::fromDefault(KnotSighting().knot, slot.knot),
       in.hasLeftTip() ? fromWire(in.getLeftTip(), slot.left_tip)
-          : suture::rpc::fromDefault(KnotSighting().left_tip, slot.left_tip),
+          : suture::codec::fromDefault(KnotSighting().left_tip, slot.left_tip),
       in.hasRightTip() ? fromWire(in.getRightTip(), slot.right_tip)
-          : suture::rpc::fromDefault(KnotSighting().right_tip, slot.right_tip),
+          : suture::codec::fromDefault(KnotSighting().right_tip, slot.right_tip),
   });
 }
 
@@ -74,27 +74,27 @@ suture::Errc decodeKnotVisionColumn(wire::KnotVisionStateRow::Reader in, unsigne
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kKnotVisionCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kKnotVisionCommandCodecs[] = {
     {.interface = capnp::typeId<wire::KnotVision>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::KnotVision::SightingParams>,
-     .result = suture::rpc::messageOf<wire::KnotVision::SightingResults, KnotSightingSlot,
-                                      encodeKnotVisionSightingResult,
-                                      decodeKnotVisionSightingResult>,
-     .stamp = suture::rpc::stampIn<wire::KnotVision::SightingResults>},
+     .sent = suture::codec::sentIn<wire::KnotVision::SightingParams>,
+     .result = suture::codec::messageOf<wire::KnotVision::SightingResults, KnotSightingSlot,
+                                        encodeKnotVisionSightingResult,
+                                        decodeKnotVisionSightingResult>,
+     .stamp = suture::codec::stampIn<wire::KnotVision::SightingResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& knotVisionCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::KnotVision>,
+const suture::codec::Codec& knotVisionCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::KnotVision>,
       .contract = capnp::typeId<wire::KnotVision>(),
       .subscriber = capnp::typeId<wire::KnotVisionEvents>(),
       .commands = kKnotVisionCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::KnotVisionEvents::StateParams, wire::KnotVisionStateRow,
-                                encodeKnotVisionColumn, decodeKnotVisionColumn>,
+      .row = suture::codec::rowOf<wire::KnotVisionEvents::StateParams, wire::KnotVisionStateRow,
+                                  encodeKnotVisionColumn, decodeKnotVisionColumn>,
   };
   return kCodec;
 }
@@ -105,12 +105,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::KnotSighting& value) {
-  return rpc::encodeAs<robots::wire::KnotSighting, robots::KnotSightingSlot>(value);
+  return codec::encodeAs<robots::wire::KnotSighting, robots::KnotSightingSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::KnotSighting& value) {
-  return rpc::decodeAs<robots::wire::KnotSighting, robots::KnotSightingSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::KnotSighting, robots::KnotSightingSlot>(bytes, value);
 }
 
 }  // namespace suture

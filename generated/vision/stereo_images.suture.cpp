@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -49,7 +49,7 @@ bool isValid(const StereoPairSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in vision/stereo_images.wire.cpp.
-const suture::rpc::Codec& stereoImagesCodec();
+const suture::codec::Codec& stereoImagesCodec();
 
 namespace {
 
@@ -61,7 +61,7 @@ constexpr suture::BoundedLevel kStereoImagesImagesResultLevels[] = {
 };
 
 void shiftStereoImagesExposedResult(std::int64_t& slot, suture::Duration shift) {
-  slot = suture::rpc::shifted(slot, shift);
+  slot = suture::codec::shifted(slot, shift);
 }
 
 constexpr suture::CommandInfo kStereoImagesCommands[] = {

@@ -1,7 +1,7 @@
 // Written by suturec from vision/stereo_images.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "vision/stereo_images.capnp.h"
 #include "vision/stereo_images.suture.h"
@@ -14,8 +14,8 @@ suture::Errc fromWire(wire::ImageFrame::Reader in, ImageFrameSlot& slot, suture:
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -25,7 +25,7 @@ void toWire(const StereoPairSlot& slot, wire::StereoPair::Builder out) {
 }
 
 suture::Errc fromWire(wire::StereoPair::Reader in, StereoPairSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getLeft(), slot.left, shift),
       fromWire(in.getRight(), slot.right, shift),
   });
@@ -50,7 +50,7 @@ void encodeStereoImagesExposedResult(const std::int64_t& slot,
 }
 suture::Errc decodeStereoImagesExposedResult(wire::StereoImages::ExposedResults::Reader in,
                                              std::int64_t& slot, suture::Duration shift) {
-  slot = suture::rpc::shifted(in.getValue(), shift);
+  slot = suture::codec::shifted(in.getValue(), shift);
   return suture::Errc{};
 }
 
@@ -69,7 +69,7 @@ void encodeStereoImagesExposedColumn(const std::int64_t& slot,
 }
 suture::Errc decodeStereoImagesExposedColumn(wire::StereoImagesStateRow::Reader in,
                                              std::int64_t& slot, suture::Duration shift) {
-  slot = suture::rpc::shifted(in.getExposed(), shift);
+  slot = suture::codec::shifted(in.getExposed(), shift);
   return suture::Errc{};
 }
 
@@ -94,34 +94,34 @@ suture::Errc decodeStereoImagesColumn(wire::StereoImagesStateRow::Reader in, uns
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kStereoImagesCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kStereoImagesCommandCodecs[] = {
     {.interface = capnp::typeId<wire::StereoImages>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::StereoImages::ImagesParams>,
-     .result = suture::rpc::messageOf<wire::StereoImages::ImagesResults, StereoPairSlot,
-                                      encodeStereoImagesImagesResult,
-                                      decodeStereoImagesImagesResult>,
-     .stamp = suture::rpc::stampIn<wire::StereoImages::ImagesResults>},
+     .sent = suture::codec::sentIn<wire::StereoImages::ImagesParams>,
+     .result = suture::codec::messageOf<wire::StereoImages::ImagesResults, StereoPairSlot,
+                                        encodeStereoImagesImagesResult,
+                                        decodeStereoImagesImagesResult>,
+     .stamp = suture::codec::stampIn<wire::StereoImages::ImagesResults>},
     {.interface = capnp::typeId<wire::StereoImages>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::StereoImages::ExposedParams>,
-     .result = suture::rpc::messageOf<wire::StereoImages::ExposedResults, std::int64_t,
-                                      encodeStereoImagesExposedResult,
-                                      decodeStereoImagesExposedResult>,
-     .stamp = suture::rpc::stampIn<wire::StereoImages::ExposedResults>},
+     .sent = suture::codec::sentIn<wire::StereoImages::ExposedParams>,
+     .result = suture::codec::messageOf<wire::StereoImages::ExposedResults, std::int64_t,
+                                        encodeStereoImagesExposedResult,
+                                        decodeStereoImagesExposedResult>,
+     .stamp = suture::codec::stampIn<wire::StereoImages::ExposedResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& stereoImagesCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::StereoImages>,
+const suture::codec::Codec& stereoImagesCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::StereoImages>,
       .contract = capnp::typeId<wire::StereoImages>(),
       .subscriber = capnp::typeId<wire::StereoImagesEvents>(),
       .commands = kStereoImagesCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::StereoImagesEvents::StateParams, wire::StereoImagesStateRow,
-                                encodeStereoImagesColumn, decodeStereoImagesColumn>,
+      .row = suture::codec::rowOf<wire::StereoImagesEvents::StateParams, wire::StereoImagesStateRow,
+                                  encodeStereoImagesColumn, decodeStereoImagesColumn>,
   };
   return kCodec;
 }
@@ -132,12 +132,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::StereoPair& value) {
-  return rpc::encodeAs<robots::wire::StereoPair, robots::StereoPairSlot>(value);
+  return codec::encodeAs<robots::wire::StereoPair, robots::StereoPairSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::StereoPair& value) {
-  return rpc::decodeAs<robots::wire::StereoPair, robots::StereoPairSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::StereoPair, robots::StereoPairSlot>(bytes, value);
 }
 
 }  // namespace suture

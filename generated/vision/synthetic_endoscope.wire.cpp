@@ -1,14 +1,14 @@
 // Written by suturec from vision/synthetic_endoscope.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "vision/synthetic_endoscope.capnp.h"
 #include "vision/synthetic_endoscope.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -38,13 +38,13 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::EndoscopeParameters& value) {
-  return rpc::encodeAs<robots::wire::EndoscopeParameters, robots::EndoscopeParametersSlot>(value);
+  return codec::encodeAs<robots::wire::EndoscopeParameters, robots::EndoscopeParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::EndoscopeParameters& value) {
-  return rpc::decodeAs<robots::wire::EndoscopeParameters,
-                       robots::EndoscopeParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::EndoscopeParameters,
+                         robots::EndoscopeParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -14,7 +14,7 @@ using suture::load;
 using suture::store;
 
 // Defined in vision/tracked_object.wire.cpp.
-const suture::rpc::Codec& trackedObjectCodec();
+const suture::codec::Codec& trackedObjectCodec();
 
 namespace {
 

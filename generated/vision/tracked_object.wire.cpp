@@ -1,6 +1,6 @@
 // Written by suturec from vision/tracked_object.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "vision/tracked_object.capnp.h"
 #include "vision/tracked_object.suture.h"
@@ -19,8 +19,8 @@ suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, sutur
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- TrackedObject as Cap'n Proto
 
@@ -84,34 +84,35 @@ suture::Errc decodeTrackedObjectColumn(wire::TrackedObjectStateRow::Reader in, u
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kTrackedObjectCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kTrackedObjectCommandCodecs[] = {
     {.interface = capnp::typeId<wire::TrackedObject>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::TrackedObject::MeasuredCpParams>,
-     .result = suture::rpc::messageOf<wire::TrackedObject::MeasuredCpResults, PoseStampedSlot,
-                                      encodeTrackedObjectMeasuredCpResult,
-                                      decodeTrackedObjectMeasuredCpResult>,
-     .stamp = suture::rpc::stampIn<wire::TrackedObject::MeasuredCpResults>},
+     .sent = suture::codec::sentIn<wire::TrackedObject::MeasuredCpParams>,
+     .result = suture::codec::messageOf<wire::TrackedObject::MeasuredCpResults, PoseStampedSlot,
+                                        encodeTrackedObjectMeasuredCpResult,
+                                        decodeTrackedObjectMeasuredCpResult>,
+     .stamp = suture::codec::stampIn<wire::TrackedObject::MeasuredCpResults>},
     {.interface = capnp::typeId<wire::TrackedObject>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::TrackedObject::MeasuredCvParams>,
-     .result = suture::rpc::messageOf<wire::TrackedObject::MeasuredCvResults, TwistSlot,
-                                      encodeTrackedObjectMeasuredCvResult,
-                                      decodeTrackedObjectMeasuredCvResult>,
-     .stamp = suture::rpc::stampIn<wire::TrackedObject::MeasuredCvResults>},
+     .sent = suture::codec::sentIn<wire::TrackedObject::MeasuredCvParams>,
+     .result = suture::codec::messageOf<wire::TrackedObject::MeasuredCvResults, TwistSlot,
+                                        encodeTrackedObjectMeasuredCvResult,
+                                        decodeTrackedObjectMeasuredCvResult>,
+     .stamp = suture::codec::stampIn<wire::TrackedObject::MeasuredCvResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& trackedObjectCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::TrackedObject>,
+const suture::codec::Codec& trackedObjectCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::TrackedObject>,
       .contract = capnp::typeId<wire::TrackedObject>(),
       .subscriber = capnp::typeId<wire::TrackedObjectEvents>(),
       .commands = kTrackedObjectCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::TrackedObjectEvents::StateParams, wire::TrackedObjectStateRow,
-                                encodeTrackedObjectColumn, decodeTrackedObjectColumn>,
+      .row = suture::codec::rowOf<wire::TrackedObjectEvents::StateParams,
+                                  wire::TrackedObjectStateRow, encodeTrackedObjectColumn,
+                                  decodeTrackedObjectColumn>,
   };
   return kCodec;
 }

@@ -18,7 +18,7 @@ namespace {
 /// now on. By these a robot refuses commands that it has executed.
 class Complaints {
  public:
-  Complaints(rpc::EventPort& loop, Provider& provider) : loop_(loop), provider_(provider) {
+  Complaints(loop::EventPort& loop, Provider& provider) : loop_(loop), provider_(provider) {
     for (const char* const name : {"warning", "error"}) {
       const Member* const event = provider.contract().findEvent(name);
       if (event != nullptr) events_ |= provider.contract().bitOf(*event);
@@ -39,7 +39,7 @@ class Complaints {
   void listen() {
     if (events_ == 0) return;
     wait(loop_, provider_.subscribe(
-                    events_, Labels::Names,
+                    events_, codec::Labels::Names,
                     [this](const Member& event, const Json& value) { hear(event.name, value); }));
   }
 
@@ -52,7 +52,7 @@ class Complaints {
     heard_.push_back({{"event", event}, {"text", text}});
   }
 
-  rpc::EventPort& loop_;
+  loop::EventPort& loop_;
   Provider& provider_;
   const Time began_ = now();
   std::uint64_t events_ = 0;
@@ -76,7 +76,7 @@ bool hasError(const Json& complaints) {
 
 }  // namespace
 
-int call(rpc::EventPort& loop, const Options& options) {
+int call(loop::EventPort& loop, const Options& options) {
   Json arguments = argumentsOf(options);
   Provider provider(loop, options, Target::parseInterface(options.target));
   const Member& command = provider.contract().command(options.member);
@@ -85,7 +85,7 @@ int call(rpc::EventPort& loop, const Options& options) {
   });
   Complaints complaints(loop, provider);
   const Answer answer =
-      provider.call(command, arguments, options.json ? Labels::Names : Labels::Units);
+      provider.call(command, arguments, options.json ? codec::Labels::Names : codec::Labels::Units);
   const Json& heard = complaints.heard();
   if (options.json) {
     Json told = answerJson(command, answer);

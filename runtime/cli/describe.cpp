@@ -34,7 +34,7 @@ int describeInterface(Peer& peer, const Options& options, const Target& target) 
 
 }  // namespace
 
-int describe(rpc::EventPort& loop, const Options& options) {
+int describe(loop::EventPort& loop, const Options& options) {
   const Target target = Target::parse(options.target);
   Peer peer = meet(loop, options, target.process);
   if (!target.interface.empty()) return describeInterface(peer, options, target);

@@ -17,8 +17,8 @@ std::string count(std::size_t number, const char* what) {
 }
 
 /// Says why what travels to this address need not be encrypted.
-std::string tlsOf(const rpc::Address& address) {
-  return address.kind == rpc::Address::Kind::Unix
+std::string tlsOf(const net::Address& address) {
+  return address.kind == net::Address::Kind::Unix
              ? "not needed: a Unix socket does not leave this machine"
              : "not needed: loopback does not leave this machine";
 }
@@ -45,7 +45,7 @@ std::string look(Peer& peer, const Target& target) {
   return count(peer.components().size(), "component");
 }
 
-Checklist examine(rpc::EventPort& loop, const Options& options, Names& names,
+Checklist examine(loop::EventPort& loop, const Options& options, Names& names,
                   const Target& target) {
   Checklist all(target.toString());
   std::optional<Peer> peer;
@@ -82,7 +82,7 @@ Checklist examine(rpc::EventPort& loop, const Options& options, Names& names,
   return all;
 }
 
-std::vector<Checklist> examineAll(rpc::EventPort& loop, const Options& options) {
+std::vector<Checklist> examineAll(loop::EventPort& loop, const Options& options) {
   std::vector<Target> targets;
   for (const std::string& name : options.targets) targets.push_back(Target::parse(name));
   std::optional<Names> names;
@@ -102,7 +102,7 @@ std::vector<Checklist> examineAll(rpc::EventPort& loop, const Options& options) 
 
 }  // namespace
 
-int doctor(rpc::EventPort& loop, const Options& options) {
+int doctor(loop::EventPort& loop, const Options& options) {
   const auto done = examineAll(loop, options);
   const bool good =
       std::all_of(done.begin(), done.end(), [](const Checklist& one) { return one.good(); });

@@ -6,7 +6,7 @@
 
 namespace suture::cli {
 
-int makeKeys(rpc::EventPort&, const Options& options) {
+int makeKeys(loop::EventPort&, const Options& options) {
   const auto files = suture::makeKeys(options.newKeys);
   const std::string shortened = suture::shortLife(options.newKeys);
   if (options.json) {

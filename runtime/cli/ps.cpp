@@ -17,7 +17,7 @@ struct Asked {
   std::string whyNot;  ///< why that is not known; "" if it is
 };
 
-Asked ask(rpc::EventPort& loop, const Options& options, const rpc::Address& manager,
+Asked ask(loop::EventPort& loop, const Options& options, const net::Address& manager,
           const ProcessRecord& process) {
   if (process.silent) return {std::nullopt, "it is silent"};
   try {
@@ -50,7 +50,7 @@ Json json(const ProcessRecord& process, const Asked& asked) {
 
 }  // namespace
 
-int ps(rpc::EventPort& loop, const Options& options) {
+int ps(loop::EventPort& loop, const Options& options) {
   Names names(loop, options);
   const auto processes = names.processes();
   Json all = Json::array();

@@ -4,13 +4,13 @@
 
 namespace suture::cli {
 
-int read(rpc::EventPort& loop, const Options& options) {
+int read(loop::EventPort& loop, const Options& options) {
   Provider provider(loop, options, Target::parseInterface(options.target));
   const Member& command = readCommand(provider.contract(), options.member);
   if (options.json) {
-    printJson(answerJson(command, provider.call(command, Json::object(), Labels::Names)));
+    printJson(answerJson(command, provider.call(command, Json::object(), codec::Labels::Names)));
   } else {
-    print(answerText(command, provider.call(command, Json::object(), Labels::Units)));
+    print(answerText(command, provider.call(command, Json::object(), codec::Labels::Units)));
   }
   return 0;
 }

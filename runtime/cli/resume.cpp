@@ -41,7 +41,8 @@ std::string told(const std::string& outcome, const std::string& connection) {
 }
 
 /// Throws SetupError with what could have been meant.
-[[noreturn]] void refuseUnknown(rpc::EventPort& loop, const Options& options, const Target& asked) {
+[[noreturn]] void refuseUnknown(loop::EventPort& loop, const Options& options,
+                                const Target& asked) {
   Peer peer = meet(loop, options, asked.process);
   std::vector<std::string> names;
   for (const auto& one : findComponent(peer, asked).required) names.push_back(one.name);
@@ -53,11 +54,12 @@ std::string told(const std::string& outcome, const std::string& connection) {
 
 }  // namespace
 
-int resume(rpc::EventPort& loop, const Options& options) {
+int resume(loop::EventPort& loop, const Options& options) {
   const Target required = Target::parseInterface(options.target);
   Provider life(loop, options, lifeOf(required));
   const Member& command = life.contract().command("resume_connection");
-  const Answer answer = life.call(command, {{"required", required.interface}}, Labels::Names);
+  const Answer answer =
+      life.call(command, {{"required", required.interface}}, codec::Labels::Names);
   const std::string outcome = valueLine(answer.value);  // a peer may answer no text
   if (outcome == "NoSuchInterface") refuseUnknown(loop, options, required);
   const std::string text = told(outcome, required.toString());

@@ -34,7 +34,7 @@ constexpr int kFailed = 1, kMisused = 2;
 struct Verb {
   const char* name;
   const char* help;
-  int (*run)(suture::rpc::EventPort&, const Options&);
+  int (*run)(suture::loop::EventPort&, const Options&);
 };
 
 constexpr Verb kVerbs[] = {
@@ -175,7 +175,7 @@ int run(const Verb& verb, Options& options) {
     if (!keys->warning().empty()) tell("warning: " + keys->warning());
     options.trust.keys = keys;
   }
-  suture::rpc::EventPort loop;
+  suture::loop::EventPort loop;
   return verb.run(loop, options);
 }
 
@@ -183,7 +183,7 @@ int run(const Verb& verb, Options& options) {
 /// printed would go to whom that leads to.
 bool outputIsClosed() {
   if (fcntl(STDOUT_FILENO, F_GETFD) >= 0) return false;
-  tell(suture::outputLost().what());
+  tell(suture::loop::outputLost().what());
   return true;
 }
 
@@ -199,7 +199,7 @@ int help(const CLI::App& app, const CLI::ParseError& asked) {
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   if (outputIsClosed()) return kFailed;
-  suture::openStandardDescriptors();
+  suture::loop::openStandardDescriptors();
   const std::string word = argc > 1 ? argv[1] : "";
   const bool json = std::any_of(argv, argv + argc,
                                 [](const char* one) { return std::string_view(one) == "--json"; });

@@ -7,14 +7,14 @@
 
 namespace suture::cli {
 
-int ps(rpc::EventPort& loop, const Options& options);
-int describe(rpc::EventPort& loop, const Options& options);
-int read(rpc::EventPort& loop, const Options& options);
-int call(rpc::EventPort& loop, const Options& options);
-int resume(rpc::EventPort& loop, const Options& options);
-int watch(rpc::EventPort& loop, const Options& options);
-int doctor(rpc::EventPort& loop, const Options& options);
-int why(rpc::EventPort& loop, const Options& options);
-int makeKeys(rpc::EventPort& loop, const Options& options);
+int ps(loop::EventPort& loop, const Options& options);
+int describe(loop::EventPort& loop, const Options& options);
+int read(loop::EventPort& loop, const Options& options);
+int call(loop::EventPort& loop, const Options& options);
+int resume(loop::EventPort& loop, const Options& options);
+int watch(loop::EventPort& loop, const Options& options);
+int doctor(loop::EventPort& loop, const Options& options);
+int why(loop::EventPort& loop, const Options& options);
+int makeKeys(loop::EventPort& loop, const Options& options);
 
 }  // namespace suture::cli

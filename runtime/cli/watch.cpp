@@ -25,7 +25,9 @@ class Lines {
  public:
   explicit Lines(const Options& options) : options_(options) {}
 
-  Labels labels() const { return options_.json ? Labels::Names : Labels::Units; }
+  codec::Labels labels() const {
+    return options_.json ? codec::Labels::Names : codec::Labels::Units;
+  }
   bool enough() const { return options_.count != 0 && shown_ >= options_.count; }
 
   /// `kind` is "event" or "command".
@@ -54,9 +56,9 @@ bool isPipeOrSocket(int descriptor) {
 
 /// Resolves when nobody reads standard output any more, which a write would tell only with the next
 /// line.
-kj::Promise<void> whenReaderGone(rpc::EventPort& loop) {
+kj::Promise<void> whenReaderGone(loop::EventPort& loop) {
   if (!isPipeOrSocket(STDOUT_FILENO)) return kj::NEVER_DONE;
-  using Observer = rpc::EventPort::FdObserver;
+  using Observer = loop::EventPort::FdObserver;
   auto observer = kj::heap<Observer>(loop, STDOUT_FILENO, Observer::OBSERVE_WRITE);
   auto gone = observer->whenWriteDisconnected();
   return gone.attach(kj::mv(observer));
@@ -64,19 +66,19 @@ kj::Promise<void> whenReaderGone(rpc::EventPort& loop) {
 
 /// Resolves when it is told to stop, nobody reads or the time is over. Rejects when the provider is
 /// gone.
-kj::Promise<void> ending(rpc::EventPort& loop, Provider& provider, const Options& options) {
+kj::Promise<void> ending(loop::EventPort& loop, Provider& provider, const Options& options) {
   const Duration period = options.period == Duration{0} ? kForever : options.period;
   return loop.onSignal(SIGINT)
       .ignoreResult()
       .exclusiveJoin(loop.onSignal(SIGTERM).ignoreResult())
       .exclusiveJoin(whenReaderGone(loop))
-      .exclusiveJoin(loop.getTimer().afterDelay(rpc::toKj(period)))
+      .exclusiveJoin(loop.getTimer().afterDelay(loop::toKj(period)))
       .exclusiveJoin(provider.whenGone());
 }
 
-void watchReads(rpc::EventPort& loop, Provider& provider, const Options& options) {
+void watchReads(loop::EventPort& loop, Provider& provider, const Options& options) {
   const Member& command = readCommand(provider.contract(), options.member);
-  const auto tick = rpc::toKj(
+  const auto tick = loop::toKj(
       std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / options.rate)));
   auto ended = ending(loop, provider, options).then([] { return true; }).fork();
   const auto endsBefore = [&](kj::Promise<void> what) {
@@ -95,7 +97,7 @@ void watchReads(rpc::EventPort& loop, Provider& provider, const Options& options
   }
 }
 
-void watchEvents(rpc::EventPort& loop, Provider& provider, const Options& options,
+void watchEvents(loop::EventPort& loop, Provider& provider, const Options& options,
                  std::uint64_t events) {
   auto enough = kj::newPromiseAndFulfiller<void>();
   auto ended = ending(loop, provider, options)
@@ -134,7 +136,7 @@ void requireKnown(const Contract& contract, const std::string& name) {
 
 }  // namespace
 
-int watch(rpc::EventPort& loop, const Options& options) {
+int watch(loop::EventPort& loop, const Options& options) {
   Provider provider(loop, options, Target::parseInterface(options.target));
   // Until here a signal ends the program by itself.
   for (const int signal : {SIGINT, SIGTERM}) kj::UnixEventPort::captureSignal(signal);

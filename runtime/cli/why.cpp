@@ -72,7 +72,7 @@ Verdict judge(const End& required, const End& provided) {
   return verdict;
 }
 
-End endOf(rpc::EventPort& loop, const Options& options, const std::string& name) {
+End endOf(loop::EventPort& loop, const Options& options, const std::string& name) {
   const Target target = Target::parseInterface(name);
   Peer peer = meet(loop, options, target.process);
   return {target, findInterface(peer, target)};
@@ -152,7 +152,7 @@ int explain(const Options& options) {
 
 }  // namespace
 
-int why(rpc::EventPort& loop, const Options& options) {
+int why(loop::EventPort& loop, const Options& options) {
   if (options.other.empty()) return explain(options);
   End required = endOf(loop, options, options.target);
   End provided = endOf(loop, options, options.other);

@@ -30,7 +30,7 @@ class Archives : public testing::TestWithParam<bool> {
     const bool remote = GetParam();
     if (remote) {
       const std::string address = "unix:" + directory_.file("manager.sock");
-      control_ = std::make_unique<suture::rpc::ControlThread>();
+      control_ = std::make_unique<suture::loop::ControlThread>();
       global_ = std::make_unique<suture::GlobalManager>(*control_, address);
       providerManager_ = std::make_unique<suture::Manager>("provider", address);
       clientManager_ = std::make_unique<suture::Manager>("client", address);
@@ -75,7 +75,7 @@ class Archives : public testing::TestWithParam<bool> {
 
  private:
   suture::TemporaryDirectory directory_;
-  std::unique_ptr<suture::rpc::ControlThread> control_;
+  std::unique_ptr<suture::loop::ControlThread> control_;
   std::unique_ptr<suture::GlobalManager> global_;
   std::unique_ptr<suture::Manager> providerManager_, clientManager_;
 };

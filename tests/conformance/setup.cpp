@@ -25,7 +25,7 @@ std::unique_ptr<Client> makeClient(ClientKind kind) {
 struct Conformance::Names {
   Names(const std::string& address, const std::string& keys)
       : global(control, address, securityOf(suture::tls::kManagerName, keys)) {}
-  suture::rpc::ControlThread control;
+  suture::loop::ControlThread control;
   suture::GlobalManager global;
 };
 

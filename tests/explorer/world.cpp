@@ -291,7 +291,7 @@ class World {
   const std::string address_ = "unix:" + directory_.file("manager.sock");
   suture::TestClock::Process robotsProcess_, robotsNetwork_, consolesNetwork_;
   std::vector<std::string> logs_;
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   std::unique_ptr<suture::GlobalManager> names_;
   std::uint32_t robots_ = 0;
   std::uint64_t executions_ = 0;  // of robots that are gone

@@ -91,7 +91,7 @@ class StoppedTask : public testing::TestWithParam<Lane> {
   }
 
   const TemporaryDirectory directory_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   const GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   Manager here_{"here", names_.address()};
 };

@@ -27,8 +27,8 @@ bool isDue(Time due) { return due <= now(); }
 
 bool wouldBlock() { return errno == EAGAIN || errno == EINTR; }
 
-int connectTo(const rpc::Address& target) {
-  const rpc::SocketAddress address(target);
+int connectTo(const net::Address& target) {
+  const net::SocketAddress address(target);
   const int to = socket(address.family(), SOCK_STREAM | SOCK_CLOEXEC, 0);
   if (to >= 0 && connect(to, address.get(), address.length) == 0 &&
       fcntl(to, F_SETFL, O_NONBLOCK) == 0) {
@@ -47,14 +47,14 @@ std::string tcpAddressOf(int listener) {
 
 }  // namespace
 
-ByteProxy::ByteProxy(const rpc::Address& here, const rpc::Address& target, unsigned seed)
+ByteProxy::ByteProxy(const net::Address& here, const net::Address& target, unsigned seed)
     : target_(target), random_(seed), bell_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
-  const rpc::SocketAddress wanted(here);
+  const net::SocketAddress wanted(here);
   listener_ = socket(wanted.family(), SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (bind(listener_, wanted.get(), wanted.length) != 0 || listen(listener_, 128) != 0) {
     throw std::runtime_error("the proxy cannot listen");
   }
-  address_ = here.kind == rpc::Address::Kind::Unix ? here.text() : tcpAddressOf(listener_);
+  address_ = here.kind == net::Address::Kind::Unix ? here.text() : tcpAddressOf(listener_);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -192,7 +192,7 @@ bool ByteProxy::take(Link& link, bool there) {
   const std::size_t most = mode_ == Mode::Throttle ? kTrickle : bytes.size();
   Chunk chunk;
   const ssize_t count =
-      rpc::receiveWith(stream.from, std::span(bytes).first(most), chunk.descriptors);
+      net::receiveWith(stream.from, std::span(bytes).first(most), chunk.descriptors);
   if (count < 0) return wouldBlock();
   if (count == 0) {
     stream.ended = true;
@@ -224,7 +224,7 @@ void ByteProxy::hurt(Link& link, bool there) {
 bool ByteProxy::give(Stream& stream) {
   while (!stream.waiting.empty() && isDue(stream.waiting.front().due)) {
     auto& [due, bytes, descriptors] = stream.waiting.front();
-    const ssize_t count = rpc::sendWith(stream.to, bytes, descriptors);
+    const ssize_t count = net::sendWith(stream.to, bytes, descriptors);
     if (count < 0) return wouldBlock();
     descriptors.clear();
     bytes.erase(bytes.begin(), bytes.begin() + count);

@@ -40,7 +40,7 @@ class ByteProxy {
   };
 
   /// `here` is a Unix socket, or TCP with a number, where port 0 is any.
-  ByteProxy(const rpc::Address& here, const rpc::Address& target, unsigned seed);
+  ByteProxy(const net::Address& here, const net::Address& target, unsigned seed);
   ~ByteProxy();
   ByteProxy(const ByteProxy&) = delete;
   ByteProxy& operator=(const ByteProxy&) = delete;
@@ -61,7 +61,7 @@ class ByteProxy {
   struct Chunk {
     Time due{};
     std::vector<std::byte> bytes;
-    rpc::Descriptors descriptors;  // which go with those
+    net::Descriptors descriptors;  // which go with those
   };
   struct Stream {
     int from = -1, to = -1;
@@ -88,7 +88,7 @@ class ByteProxy {
   void closeAll(bool reset);
   static void close(Link& link, bool reset);
 
-  const rpc::Address target_;
+  const net::Address target_;
   std::mutex mutex_;  // of what follows
   std::mt19937 random_;
   Mode mode_ = Mode::Forward;

@@ -24,14 +24,14 @@ std::size_t descriptorsOf(const Child& child) {
 /// This is a crowd of callers that say nothing.
 class Crowd {
  public:
-  explicit Crowd(const rpc::Address& address) : address_(address) {}
+  explicit Crowd(const net::Address& address) : address_(address) {}
   ~Crowd() { leave(); }
   Crowd(const Crowd&) = delete;
   Crowd& operator=(const Crowd&) = delete;
 
   /// Returns false if the provider takes no more callers: as many wait as may.
   bool join() {
-    const rpc::SocketAddress target(address_);
+    const net::SocketAddress target(address_);
     const int caller = socket(target.family(), SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (connect(caller, target.get(), target.length) == 0) {
       callers_.push_back(caller);
@@ -47,7 +47,7 @@ class Crowd {
   }
 
  private:
-  const rpc::Address address_;
+  const net::Address address_;
   std::vector<int> callers_;
 };
 
@@ -65,7 +65,7 @@ TEST(Exhaustion, ConnectedClientsDoNotNoticeIt) {
   ASSERT_TRUE(system.works(true));
   const std::size_t quiet = descriptorsOf(*provider);
 
-  Crowd crowd(rpc::Address::parse("unix:" + system.socketOf("robot", *provider)));
+  Crowd crowd(net::Address::parse("unix:" + system.socketOf("robot", *provider)));
   // A sanitizer may keep some for itself.
   ASSERT_TRUE(
       eventually([&] { return !crowd.join() && descriptorsOf(*provider) >= kDescriptors - 3; }));

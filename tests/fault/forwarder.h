@@ -18,13 +18,13 @@ class Forwarder {
  public:
   /// Its proxy listens at `here`.
   Forwarder(const std::string& manager, const std::string& name, const std::string& behind,
-            const rpc::Address& here, unsigned seed) {
-    control_.run(kPatience, [&, name, behind, here, address = rpc::Address::parse(manager)] {
+            const net::Address& here, unsigned seed) {
+    control_.run(kPatience, [&, name, behind, here, address = net::Address::parse(manager)] {
       link_ = std::make_unique<ManagerLink>(control_, std::vector{address}, "forwarder");
       return link_->open(kPatience)
           .then([this, behind] { return link_->resolve(behind, kPatience); })
           .then([this, name, here, seed](ProcessRecord found) {
-            const auto target = rpc::Address::parse(found.addresses.at(0));
+            const auto target = net::Address::parse(found.addresses.at(0));
             proxy = std::make_unique<ByteProxy>(here, target, seed);
             found.name = name;
             found.addresses = {proxy->address()};
@@ -41,7 +41,7 @@ class Forwarder {
   std::unique_ptr<ByteProxy> proxy;
 
  private:
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   std::unique_ptr<ManagerLink> link_;
 };
 

@@ -63,7 +63,7 @@ class Liveness : public testing::TestWithParam<const char*> {
 
   const TemporaryDirectory directory_;
   const std::string hangFile_ = directory_.file("hang");
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   GlobalManager names_;
   Child host_{{paths::kFaultyHost, names_.address(), "there", hangFile_}};
   Operator first_, second_, third_;

@@ -173,7 +173,7 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
 
   struct Names {
     explicit Names(const std::string& address) : global(control, address) {}
-    rpc::ControlThread control;
+    loop::ControlThread control;
     GlobalManager global;
   };
   std::unique_ptr<Manager> makeManager(const std::string& name) {

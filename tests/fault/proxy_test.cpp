@@ -26,8 +26,8 @@ class Proxy : public testing::TestWithParam<const char*> {
   ByteProxy& proxy() { return *forwarder_.proxy; }
   /// Only a Unix socket carries the memory of `shm`; over one, `frame` would not go through the
   /// proxy.
-  rpc::Address proxysAddress() const {
-    return rpc::Address::parse(lane() == "shm" ? "unix:" + system_.file("proxy.sock")
+  net::Address proxysAddress() const {
+    return net::Address::parse(lane() == "shm" ? "unix:" + system_.file("proxy.sock")
                                                : "tcp://127.0.0.1:0");
   }
   /// Returns when the client has lost a connection, or has come back since.

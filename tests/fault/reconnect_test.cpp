@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Sockets, Restarts, testing::Values("unix", "tcp"),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(Restarts, ManyRestartsOfAPeerCostNothing) {
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager names(control, address("m.sock"));
   auto child = provider(names.address());
   Operator client;
@@ -138,7 +138,7 @@ TEST_P(Restarts, ARestartedManagerLearnsTheNamesAgain) {
 
 TEST_P(Restarts, ManagerAndPeerMayRestartTogether) {
   std::string at = address("m.sock");
-  rpc::ControlThread control;
+  loop::ControlThread control;
   auto names = std::make_unique<GlobalManager>(control, at);
   at = names->address();
   auto child = provider(at);
@@ -160,7 +160,7 @@ TEST_P(Restarts, ManagerAndPeerMayRestartTogether) {
 }
 
 TEST_P(Restarts, AnAnswerOfAnOlderEpochDrops) {
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager names(control, address("m.sock"));
   const auto child = provider(names.address());
   Operator client;

@@ -35,8 +35,8 @@ unsigned fromEnvironment(const char* name, unsigned otherwise) {
   return text == nullptr ? otherwise : static_cast<unsigned>(std::atoi(text));
 }
 
-kj::AutoCloseFd dialled(const rpc::Address& address) {
-  const rpc::SocketAddress target(address);
+kj::AutoCloseFd dialled(const net::Address& address) {
+  const net::SocketAddress target(address);
   kj::AutoCloseFd socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
   EXPECT_EQ(::connect(socket, target.get(), target.length), 0);
   return socket;
@@ -54,10 +54,10 @@ bool sendAll(int socket, const Bytes& bytes) {
 /// Passes one connection on, and keeps what the caller says.
 class Recorder {
  public:
-  explicit Recorder(const rpc::Address& target) : target_(target) {
-    address.kind = rpc::Address::Kind::Tcp;
+  explicit Recorder(const net::Address& target) : target_(target) {
+    address.kind = net::Address::Kind::Tcp;
     address.host = "127.0.0.1";
-    const rpc::SocketAddress any(address);
+    const net::SocketAddress any(address);
     listener_ = kj::AutoCloseFd(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
     sockaddr_in own{};
     socklen_t length = sizeof(own);
@@ -73,7 +73,7 @@ class Recorder {
     return said_;
   }
 
-  rpc::Address address;
+  net::Address address;
 
  private:
   void pass() {
@@ -91,7 +91,7 @@ class Recorder {
     }
   }
 
-  const rpc::Address target_;
+  const net::Address target_;
   kj::AutoCloseFd listener_;
   Bytes said_;
   std::thread thread_;
@@ -121,11 +121,11 @@ kj::Promise<void> session(wire::Peer::Client peer) {
       });
 }
 
-Bytes recordedSession(const std::string& manager, const rpc::Address& robot) {
+Bytes recordedSession(const std::string& manager, const net::Address& robot) {
   Recorder recorder(robot);
-  rpc::ControlThread control;
+  loop::ControlThread control;
   control.run(kPatience, [&control, &recorder, manager] {
-    auto link = kj::heap<ManagerLink>(control, std::vector{rpc::Address::parse(manager)}, "test");
+    auto link = kj::heap<ManagerLink>(control, std::vector{net::Address::parse(manager)}, "test");
     auto& held = *link;
     return held.open(kPatience)
         .then([&held, &recorder] {
@@ -134,9 +134,9 @@ Bytes recordedSession(const std::string& manager, const rpc::Address& robot) {
           record.addresses = {recorder.address.text()};
           return held.reach(record, kPatience);
         })
-        .then([&control](rpc::ByteStream bytes) {
-          auto stream = kj::heap<rpc::MessageStream>(control.port(), kj::mv(bytes));
-          auto peer = kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
+        .then([&control](net::ByteStream bytes) {
+          auto stream = kj::heap<framing::MessageStream>(control.port(), kj::mv(bytes));
+          auto peer = kj::heap<framing::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
           return session(peer->bootstrap<wire::Peer>()).attach(kj::mv(peer));
         })
         .attach(kj::mv(link));
@@ -165,7 +165,7 @@ Bytes changed(Bytes bytes, std::mt19937& random) {
 }
 
 /// Returns true if the provider has ended the connection or answered before it did.
-bool survives(const rpc::Address& robot, const Bytes& bytes) {
+bool survives(const net::Address& robot, const Bytes& bytes) {
   const kj::AutoCloseFd socket = dialled(robot);
   sendAll(socket, bytes);
   shutdown(socket, SHUT_WR);
@@ -178,7 +178,7 @@ bool survives(const rpc::Address& robot, const Bytes& bytes) {
 }
 
 TEST(Sessions, ChangedSessionsHurtNoOther) {
-  rpc::ControlThread control;
+  loop::ControlThread control;
   GlobalManager names(control, "tcp://127.0.0.1:0");
   reference::HostedArm arm;
   Console console;
@@ -191,7 +191,7 @@ TEST(Sessions, ChangedSessionsHurtNoOther) {
 
   const unsigned count = fromEnvironment("SUTURE_SESSIONS", 3000);
   const unsigned seed = fromEnvironment("SUTURE_SEED", 1);
-  const auto address = rpc::Address::parse(addressOf(names.address(), "robot"));
+  const auto address = net::Address::parse(addressOf(names.address(), "robot"));
   const Bytes valid = recordedSession(names.address(), address);
   ASSERT_GT(valid.size(), 500u);
   ASSERT_TRUE(survives(address, valid));

@@ -35,7 +35,7 @@ class SlowLink : public testing::TestWithParam<Lane> {
   /// Cuts the connection twice, and expects that it comes back.
   void cutAndAwait() {
     Forwarder forwarder(names_.address(), "there", "behind",
-                        rpc::Address::parse("tcp://127.0.0.1:0"), 1);
+                        net::Address::parse("tcp://127.0.0.1:0"), 1);
     forwarder.proxy->delay(kEachWay);
     Operator client;
     Manager here("here", names_.address());
@@ -55,7 +55,7 @@ class SlowLink : public testing::TestWithParam<Lane> {
   }
 
   const TemporaryDirectory directory_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   const GlobalManager names_{control_, "tcp://127.0.0.1:0"};
 };
 

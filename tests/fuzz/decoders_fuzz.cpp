@@ -18,16 +18,16 @@ using namespace suture::fuzz;
 const Decoder& chosen(std::uint8_t byte) { return decoders()[byte % decoders().size()]; }
 
 void receive(const Decoder& decoder, std::span<const std::byte> bytes) {
-  rpc::StreamLimits limits;
+  framing::StreamLimits limits;
   limits.messageBytes = 1u << 16;
-  const auto header = rpc::parseFrameHeader(bytes, limits).header;
+  const auto header = framing::parseFrameHeader(bytes, limits).header;
   if (!header || header->totalBytes > bytes.size()) return;
   auto words = kj::heapArray<capnp::word>(header->totalBytes / sizeof(capnp::word));
   std::memcpy(words.begin(), bytes.data(), header->totalBytes);
   capnp::ReaderOptions options;
   options.traversalLimitInWords =
       2 * limits.messageBytes / sizeof(capnp::word);  // as MessageStream does
-  rpc::ReceivedMessage message(kj::mv(words), *header, options);
+  framing::ReceivedMessage message(kj::mv(words), *header, options);
   decoder.check(message);
 }
 

@@ -15,11 +15,11 @@
 
 namespace {
 
-using namespace suture::rpc;
+using namespace suture;
 using suture::fuzz::Input;
 using suture::fuzz::require;
 
-constexpr StreamLimits kLimits{.segments = 16, .messageBytes = 4096};
+constexpr framing::StreamLimits kLimits{.segments = 16, .messageBytes = 4096};
 
 class Peer {
  public:
@@ -50,9 +50,9 @@ std::vector<std::byte> beginning(Input& input) {
   std::vector<std::byte> bytes;
   switch (input.byte() % 4) {
     case 0: {
-      Token token{};
+      framing::Token token{};
       token[0] = static_cast<std::byte>(input.byte());
-      const auto opening = preambleOf(token);
+      const auto opening = framing::preambleOf(token);
       bytes.assign(opening.begin(), opening.end());
       break;
     }
@@ -60,7 +60,7 @@ std::vector<std::byte> beginning(Input& input) {
       const std::array<capnp::word, 2> segment{};
       const kj::ArrayPtr<const capnp::word> segments[] = {
           kj::arrayPtr(segment.data(), input.byte() % 3), kj::arrayPtr(segment.data(), 1)};
-      appendFrame(kj::arrayPtr(segments, 1 + input.byte() % 2), bytes);
+      framing::appendFrame(kj::arrayPtr(segments, 1 + input.byte() % 2), bytes);
       break;
     }
     default: break;
@@ -73,8 +73,9 @@ bool beginsWith(const std::vector<std::byte>& bytes, const void* start, std::siz
 }
 
 /// Reads all of its messages, as far as they go.
-void readMessages(EventPort& port, ByteStream stream, const std::vector<std::byte>& begun) {
-  MessageStream messages(port, kj::mv(stream), kLimits, begun);
+void readMessages(loop::EventPort& port, net::ByteStream stream,
+                  const std::vector<std::byte>& begun) {
+  framing::MessageStream messages(port, kj::mv(stream), kLimits, begun);
   for (;;) {
     auto next = messages.read().wait(port.scope());
     KJ_IF_MAYBE (message, next) {
@@ -89,16 +90,17 @@ void readMessages(EventPort& port, ByteStream stream, const std::vector<std::byt
 }
 
 void listen(const std::vector<std::byte>& bytes, std::size_t first) {
-  EventPort port;
+  loop::EventPort port;
   Peer peer(bytes);
-  auto opening = readPreamble(port, ByteStream(peer.connect()), kLimits);
+  auto opening = framing::readPreamble(port, net::ByteStream(peer.connect()), kLimits);
   peer.say(first);
   opening.poll(port.scope());
   peer.say(bytes.size());
   peer.sayNoMore();
-  Opened opened = opening.wait(port.scope());
+  framing::Opened opened = opening.wait(port.scope());
   KJ_IF_MAYBE (token, opened.token) {
-    require(beginsWith(bytes, preambleOf(*token).data(), preambleOf(*token).size()));
+    require(
+        beginsWith(bytes, framing::preambleOf(*token).data(), framing::preambleOf(*token).size()));
   } else {
     require(beginsWith(bytes, opened.begun.data(), opened.begun.size()));
     readMessages(port, kj::mv(opened.bytes), opened.begun);

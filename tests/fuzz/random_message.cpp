@@ -137,7 +137,7 @@ std::vector<std::byte> randomFrame(const Decoder& decoder, Random& random) {
   const auto root = message.getRoot<DynamicStruct>(decoder.schema);
   Filler(random).fill(root, kDepth);
   std::vector<std::byte> frame;
-  rpc::appendFrame(message.getSegmentsForOutput(), frame);
+  framing::appendFrame(message.getSegmentsForOutput(), frame);
   return frame;
 }
 

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -58,7 +58,7 @@ void shiftStamps(ArmLikeMovedPayload& slot, suture::Duration shift) {
 }
 
 // Defined in reference/arm_like.wire.cpp.
-const suture::rpc::Codec& armLikeCodec();
+const suture::codec::Codec& armLikeCodec();
 
 namespace {
 

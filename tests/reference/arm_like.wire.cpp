@@ -1,6 +1,6 @@
 // Written by suturec from reference/arm_like.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "reference/arm_like.capnp.h"
 #include "reference/arm_like.suture.h"
@@ -17,8 +17,8 @@ suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, sutur
 
 namespace reference {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- ArmLike as Cap'n Proto
 
@@ -95,7 +95,7 @@ void encodeArmLikeMove(const ArmLikeMoveArguments& slot, wire::ArmLike::MovePara
 suture::Errc decodeArmLikeMove(wire::ArmLike::MoveParams::Reader in, ArmLikeMoveArguments& slot,
                                suture::Duration shift) {
   slot.speed = in.getSpeed();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid,
       fromWire(in.getReason(), slot.reason),
   });
@@ -197,93 +197,95 @@ suture::Errc decodeArmLikeColumn(wire::ArmLikeStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kArmLikeCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kArmLikeCommandCodecs[] = {
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::ArmLike::ServoCpParams>,
-     .arguments = suture::rpc::messageOf<wire::ArmLike::ServoCpParams, ArmLikeServoCpArguments,
-                                         encodeArmLikeServoCp, decodeArmLikeServoCp>},
+     .sent = suture::codec::sentIn<wire::ArmLike::ServoCpParams>,
+     .arguments = suture::codec::messageOf<wire::ArmLike::ServoCpParams, ArmLikeServoCpArguments,
+                                           encodeArmLikeServoCp, decodeArmLikeServoCp>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::ArmLike::ServoJpParams>,
-     .arguments = suture::rpc::messageOf<wire::ArmLike::ServoJpParams, ArmLikeServoJpArguments,
-                                         encodeArmLikeServoJp, decodeArmLikeServoJp>},
+     .sent = suture::codec::sentIn<wire::ArmLike::ServoJpParams>,
+     .arguments = suture::codec::messageOf<wire::ArmLike::ServoJpParams, ArmLikeServoJpArguments,
+                                           encodeArmLikeServoJp, decodeArmLikeServoJp>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::ArmLike::HoldParams>},
+     .sent = suture::codec::sentIn<wire::ArmLike::HoldParams>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::ArmLike::SetModeParams>,
-     .arguments = suture::rpc::messageOf<wire::ArmLike::SetModeParams, ArmLikeSetModeArguments,
-                                         encodeArmLikeSetMode, decodeArmLikeSetMode>},
+     .sent = suture::codec::sentIn<wire::ArmLike::SetModeParams>,
+     .arguments = suture::codec::messageOf<wire::ArmLike::SetModeParams, ArmLikeSetModeArguments,
+                                           encodeArmLikeSetMode, decodeArmLikeSetMode>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 5,
-     .sent = suture::rpc::sentIn<wire::ArmLike::MeasuredCpParams>,
-     .result = suture::rpc::messageOf<wire::ArmLike::MeasuredCpResults, PoseStampedSlot,
-                                      encodeArmLikeMeasuredCpResult, decodeArmLikeMeasuredCpResult>,
-     .stamp = suture::rpc::stampIn<wire::ArmLike::MeasuredCpResults>},
+     .sent = suture::codec::sentIn<wire::ArmLike::MeasuredCpParams>,
+     .result = suture::codec::messageOf<wire::ArmLike::MeasuredCpResults, PoseStampedSlot,
+                                        encodeArmLikeMeasuredCpResult,
+                                        decodeArmLikeMeasuredCpResult>,
+     .stamp = suture::codec::stampIn<wire::ArmLike::MeasuredCpResults>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 6,
-     .sent = suture::rpc::sentIn<wire::ArmLike::MeasuredJsParams>,
-     .result = suture::rpc::messageOf<wire::ArmLike::MeasuredJsResults, JointStateSlot,
-                                      encodeArmLikeMeasuredJsResult, decodeArmLikeMeasuredJsResult>,
-     .stamp = suture::rpc::stampIn<wire::ArmLike::MeasuredJsResults>},
+     .sent = suture::codec::sentIn<wire::ArmLike::MeasuredJsParams>,
+     .result = suture::codec::messageOf<wire::ArmLike::MeasuredJsResults, JointStateSlot,
+                                        encodeArmLikeMeasuredJsResult,
+                                        decodeArmLikeMeasuredJsResult>,
+     .stamp = suture::codec::stampIn<wire::ArmLike::MeasuredJsResults>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 7,
-     .sent = suture::rpc::sentIn<wire::ArmLike::DistanceParams>,
-     .arguments = suture::rpc::messageOf<wire::ArmLike::DistanceParams, ArmLikeDistanceArguments,
-                                         encodeArmLikeDistance, decodeArmLikeDistance>,
-     .result = suture::rpc::messageOf<wire::ArmLike::DistanceResults, double,
-                                      encodeArmLikeDistanceResult, decodeArmLikeDistanceResult>},
+     .sent = suture::codec::sentIn<wire::ArmLike::DistanceParams>,
+     .arguments = suture::codec::messageOf<wire::ArmLike::DistanceParams, ArmLikeDistanceArguments,
+                                           encodeArmLikeDistance, decodeArmLikeDistance>,
+     .result = suture::codec::messageOf<wire::ArmLike::DistanceResults, double,
+                                        encodeArmLikeDistanceResult, decodeArmLikeDistanceResult>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 8,
-     .sent = suture::rpc::sentIn<wire::ArmLike::MoveParams>,
-     .arguments = suture::rpc::messageOf<wire::ArmLike::MoveParams, ArmLikeMoveArguments,
-                                         encodeArmLikeMove, decodeArmLikeMove>,
-     .result = suture::rpc::messageOf<wire::ArmLike::MoveResults, std::uint8_t,
-                                      encodeArmLikeMoveResult, decodeArmLikeMoveResult>},
+     .sent = suture::codec::sentIn<wire::ArmLike::MoveParams>,
+     .arguments = suture::codec::messageOf<wire::ArmLike::MoveParams, ArmLikeMoveArguments,
+                                           encodeArmLikeMove, decodeArmLikeMove>,
+     .result = suture::codec::messageOf<wire::ArmLike::MoveResults, std::uint8_t,
+                                        encodeArmLikeMoveResult, decodeArmLikeMoveResult>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 9,
-     .sent = suture::rpc::sentIn<wire::ArmLike::ResetParams>,
-     .result = suture::rpc::messageOf<wire::ArmLike::ResetResults, std::uint32_t,
-                                      encodeArmLikeResetResult, decodeArmLikeResetResult>},
+     .sent = suture::codec::sentIn<wire::ArmLike::ResetParams>,
+     .result = suture::codec::messageOf<wire::ArmLike::ResetResults, std::uint32_t,
+                                        encodeArmLikeResetResult, decodeArmLikeResetResult>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 10,
-     .sent = suture::rpc::sentIn<wire::ArmLike::LimitParams>,
-     .arguments = suture::rpc::messageOf<wire::ArmLike::LimitParams, ArmLikeLimitArguments,
-                                         encodeArmLikeLimit, decodeArmLikeLimit>},
+     .sent = suture::codec::sentIn<wire::ArmLike::LimitParams>,
+     .arguments = suture::codec::messageOf<wire::ArmLike::LimitParams, ArmLikeLimitArguments,
+                                           encodeArmLikeLimit, decodeArmLikeLimit>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 11,
-     .sent = suture::rpc::sentIn<wire::ArmLike::ParkParams>},
+     .sent = suture::codec::sentIn<wire::ArmLike::ParkParams>},
 };
 
-constexpr suture::rpc::EventCodec kArmLikeEventCodecs[] = {
+constexpr suture::codec::EventCodec kArmLikeEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::ArmLikeEvents::ModeParams>,
-     .payload = suture::rpc::messageOf<wire::ArmLikeEvents::ModeParams, std::uint8_t,
-                                       encodeArmLikeModeEvent, decodeArmLikeModeEvent>},
+     .stamp = suture::codec::stampIn<wire::ArmLikeEvents::ModeParams>,
+     .payload = suture::codec::messageOf<wire::ArmLikeEvents::ModeParams, std::uint8_t,
+                                         encodeArmLikeModeEvent, decodeArmLikeModeEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::ArmLikeEvents::ArrivedParams>,
-     .payload = suture::rpc::messageOf<wire::ArmLikeEvents::ArrivedParams, PoseStampedSlot,
-                                       encodeArmLikeArrivedEvent, decodeArmLikeArrivedEvent>},
-    {.method = 3, .stamp = suture::rpc::stampIn<wire::ArmLikeEvents::StoppedParams>},
+     .stamp = suture::codec::stampIn<wire::ArmLikeEvents::ArrivedParams>,
+     .payload = suture::codec::messageOf<wire::ArmLikeEvents::ArrivedParams, PoseStampedSlot,
+                                         encodeArmLikeArrivedEvent, decodeArmLikeArrivedEvent>},
+    {.method = 3, .stamp = suture::codec::stampIn<wire::ArmLikeEvents::StoppedParams>},
     {.method = 4,
-     .stamp = suture::rpc::stampIn<wire::ArmLikeEvents::MovedParams>,
-     .payload = suture::rpc::messageOf<wire::ArmLikeEvents::MovedParams, ArmLikeMovedPayload,
-                                       encodeArmLikeMovedEvent, decodeArmLikeMovedEvent>},
+     .stamp = suture::codec::stampIn<wire::ArmLikeEvents::MovedParams>,
+     .payload = suture::codec::messageOf<wire::ArmLikeEvents::MovedParams, ArmLikeMovedPayload,
+                                         encodeArmLikeMovedEvent, decodeArmLikeMovedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& armLikeCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::ArmLike>,
+const suture::codec::Codec& armLikeCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::ArmLike>,
       .contract = capnp::typeId<wire::ArmLike>(),
       .subscriber = capnp::typeId<wire::ArmLikeEvents>(),
       .commands = kArmLikeCommandCodecs,
       .events = kArmLikeEventCodecs,
-      .row = suture::rpc::rowOf<wire::ArmLikeEvents::StateParams, wire::ArmLikeStateRow,
-                                encodeArmLikeColumn, decodeArmLikeColumn>,
+      .row = suture::codec::rowOf<wire::ArmLikeEvents::StateParams, wire::ArmLikeStateRow,
+                                  encodeArmLikeColumn, decodeArmLikeColumn>,
   };
   return kCodec;
 }

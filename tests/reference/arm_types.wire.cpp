@@ -1,14 +1,14 @@
 // Written by suturec from reference/arm_types.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "reference/arm_types.capnp.h"
 #include "reference/arm_types.suture.h"
 
 namespace reference {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -37,10 +37,10 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
 }
 
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasPose() ? fromWire(in.getPose(), slot.pose)
-      : suture::rpc::fromDefault(PoseStamped().pose, slot.pose);
+      : suture::codec::fromDefault(PoseStamped().pose, slot.pose);
 }
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
@@ -49,7 +49,7 @@ void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
 }
 
 suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getPosition(), slot.position),
   });
@@ -61,22 +61,22 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const reference::PoseStamped& value) {
-  return rpc::encodeAs<reference::wire::PoseStamped, reference::PoseStampedSlot>(value);
+  return codec::encodeAs<reference::wire::PoseStamped, reference::PoseStampedSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, reference::PoseStamped& value) {
-  return rpc::decodeAs<reference::wire::PoseStamped, reference::PoseStampedSlot>(bytes, value);
+  return codec::decodeAs<reference::wire::PoseStamped, reference::PoseStampedSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const reference::JointState& value) {
-  return rpc::encodeAs<reference::wire::JointState, reference::JointStateSlot>(value);
+  return codec::encodeAs<reference::wire::JointState, reference::JointStateSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, reference::JointState& value) {
-  return rpc::decodeAs<reference::wire::JointState, reference::JointStateSlot>(bytes, value);
+  return codec::decodeAs<reference::wire::JointState, reference::JointStateSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -33,25 +33,26 @@ void askForArm(Request& request, const char* from) {
 /// A second socket of a session: its number, and what ends it when it goes.
 struct SecondSocket {
   std::uint32_t number;
-  suture::rpc::ByteStream bytes;
+  suture::net::ByteStream bytes;
 };
 
 /// Opens it, on the thread of `port`. `provider` is where the process of `peer` listens.
-inline kj::Promise<SecondSocket> openSecondSocket(suture::rpc::EventPort& port,
-                                                  suture::rpc::Address provider,
+inline kj::Promise<SecondSocket> openSecondSocket(suture::loop::EventPort& port,
+                                                  suture::net::Address provider,
                                                   suture::wire::Peer::Client peer,
                                                   const char* lane = "rpc") {
   auto request = peer.socketRequest();
   request.setLane(lane);
   return request.send().then([&port, provider](auto&& results) {
-    suture::rpc::Token token;
+    suture::framing::Token token;
     KJ_ASSERT(results.getToken().size() == token.size());
     std::memcpy(token.data(), results.getToken().begin(), token.size());
-    return suture::rpc::dial(port, provider, std::chrono::seconds(5))
+    return suture::net::dial(port, provider, std::chrono::seconds(5))
         .then([&port, token](kj::AutoCloseFd socket) {
-          return suture::rpc::exchangeToken(port, suture::rpc::ByteStream(kj::mv(socket)), token);
+          return suture::framing::exchangeToken(port, suture::net::ByteStream(kj::mv(socket)),
+                                                token);
         })
-        .then([number = results.getNumber()](suture::rpc::ByteStream bytes) {
+        .then([number = results.getNumber()](suture::net::ByteStream bytes) {
           return SecondSocket{number, kj::mv(bytes)};
         });
   });

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -18,7 +18,7 @@ bool store(const double& width, GripperArmCloseArguments& slot) { return store(w
 bool store(const double& width, GripperArmFitsArguments& slot) { return store(width, slot.width); }
 
 // Defined in reference/gripper_arm.wire.cpp.
-const suture::rpc::Codec& gripperArmCodec();
+const suture::codec::Codec& gripperArmCodec();
 
 namespace {
 

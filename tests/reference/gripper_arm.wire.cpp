@@ -1,6 +1,6 @@
 // Written by suturec from reference/gripper_arm.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "reference/gripper_arm.capnp.h"
 #include "reference/gripper_arm.suture.h"
@@ -17,8 +17,8 @@ suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, sutur
 
 namespace reference {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- GripperArm as Cap'n Proto
 
@@ -164,65 +164,68 @@ suture::Errc decodeGripperArmColumn(wire::GripperArmStateRow::Reader in, unsigne
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kGripperArmCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kGripperArmCommandCodecs[] = {
     {.interface = capnp::typeId<wire::GripperArm>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::GripperArm::CloseParams>,
-     .arguments = suture::rpc::messageOf<wire::GripperArm::CloseParams, GripperArmCloseArguments,
-                                         encodeGripperArmClose, decodeGripperArmClose>,
-     .result = suture::rpc::messageOf<wire::GripperArm::CloseResults, double,
-                                      encodeGripperArmCloseResult, decodeGripperArmCloseResult>},
+     .sent = suture::codec::sentIn<wire::GripperArm::CloseParams>,
+     .arguments = suture::codec::messageOf<wire::GripperArm::CloseParams, GripperArmCloseArguments,
+                                           encodeGripperArmClose, decodeGripperArmClose>,
+     .result = suture::codec::messageOf<wire::GripperArm::CloseResults, double,
+                                        encodeGripperArmCloseResult, decodeGripperArmCloseResult>},
     {.interface = capnp::typeId<wire::GripperArm>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::GripperArm::OpeningParams>,
-     .result = suture::rpc::messageOf<wire::GripperArm::OpeningResults, double,
-                                      encodeGripperArmOpeningResult, decodeGripperArmOpeningResult>,
-     .stamp = suture::rpc::stampIn<wire::GripperArm::OpeningResults>},
+     .sent = suture::codec::sentIn<wire::GripperArm::OpeningParams>,
+     .result = suture::codec::messageOf<wire::GripperArm::OpeningResults, double,
+                                        encodeGripperArmOpeningResult,
+                                        decodeGripperArmOpeningResult>,
+     .stamp = suture::codec::stampIn<wire::GripperArm::OpeningResults>},
     {.interface = capnp::typeId<wire::GripperArm>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::GripperArm::ReleaseParams>},
+     .sent = suture::codec::sentIn<wire::GripperArm::ReleaseParams>},
     {.interface = capnp::typeId<wire::GripperArm>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::GripperArm::FitsParams>,
-     .arguments = suture::rpc::messageOf<wire::GripperArm::FitsParams, GripperArmFitsArguments,
-                                         encodeGripperArmFits, decodeGripperArmFits>,
-     .result = suture::rpc::messageOf<wire::GripperArm::FitsResults, std::uint8_t,
-                                      encodeGripperArmFitsResult, decodeGripperArmFitsResult>},
+     .sent = suture::codec::sentIn<wire::GripperArm::FitsParams>,
+     .arguments = suture::codec::messageOf<wire::GripperArm::FitsParams, GripperArmFitsArguments,
+                                           encodeGripperArmFits, decodeGripperArmFits>,
+     .result = suture::codec::messageOf<wire::GripperArm::FitsResults, std::uint8_t,
+                                        encodeGripperArmFitsResult, decodeGripperArmFitsResult>},
 };
 
-constexpr suture::rpc::EventCodec kGripperArmEventCodecs[] = {
+constexpr suture::codec::EventCodec kGripperArmEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::GripperArmEvents::ModeParams>,
-     .payload = suture::rpc::messageOf<wire::GripperArmEvents::ModeParams, std::uint8_t,
-                                       encodeGripperArmModeEvent, decodeGripperArmModeEvent>},
+     .stamp = suture::codec::stampIn<wire::GripperArmEvents::ModeParams>,
+     .payload = suture::codec::messageOf<wire::GripperArmEvents::ModeParams, std::uint8_t,
+                                         encodeGripperArmModeEvent, decodeGripperArmModeEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::GripperArmEvents::ArrivedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperArmEvents::ArrivedParams, PoseStampedSlot,
-                                       encodeGripperArmArrivedEvent, decodeGripperArmArrivedEvent>},
-    {.method = 3, .stamp = suture::rpc::stampIn<wire::GripperArmEvents::StoppedParams>},
+     .stamp = suture::codec::stampIn<wire::GripperArmEvents::ArrivedParams>,
+     .payload = suture::codec::messageOf<wire::GripperArmEvents::ArrivedParams, PoseStampedSlot,
+                                         encodeGripperArmArrivedEvent,
+                                         decodeGripperArmArrivedEvent>},
+    {.method = 3, .stamp = suture::codec::stampIn<wire::GripperArmEvents::StoppedParams>},
     {.method = 4,
-     .stamp = suture::rpc::stampIn<wire::GripperArmEvents::MovedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperArmEvents::MovedParams, ArmLikeMovedPayload,
-                                       encodeGripperArmMovedEvent, decodeGripperArmMovedEvent>},
+     .stamp = suture::codec::stampIn<wire::GripperArmEvents::MovedParams>,
+     .payload = suture::codec::messageOf<wire::GripperArmEvents::MovedParams, ArmLikeMovedPayload,
+                                         encodeGripperArmMovedEvent, decodeGripperArmMovedEvent>},
     {.method = 5,
-     .stamp = suture::rpc::stampIn<wire::GripperArmEvents::GrippedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperArmEvents::GrippedParams, double,
-                                       encodeGripperArmGrippedEvent, decodeGripperArmGrippedEvent>},
+     .stamp = suture::codec::stampIn<wire::GripperArmEvents::GrippedParams>,
+     .payload = suture::codec::messageOf<wire::GripperArmEvents::GrippedParams, double,
+                                         encodeGripperArmGrippedEvent,
+                                         decodeGripperArmGrippedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& gripperArmCodec() {
+const suture::codec::Codec& gripperArmCodec() {
   static const auto kCommands = suture::extended<15>(
       suture::interfaceInfo<reference::ArmLike>().codec().commands, kGripperArmCommandCodecs);
-  static const suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::GripperArm>,
+  static const suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::GripperArm>,
       .contract = capnp::typeId<wire::GripperArm>(),
       .subscriber = capnp::typeId<wire::GripperArmEvents>(),
       .commands = kCommands,
       .events = kGripperArmEventCodecs,
-      .row = suture::rpc::rowOf<wire::GripperArmEvents::StateParams, wire::GripperArmStateRow,
-                                encodeGripperArmColumn, decodeGripperArmColumn>,
+      .row = suture::codec::rowOf<wire::GripperArmEvents::StateParams, wire::GripperArmStateRow,
+                                  encodeGripperArmColumn, decodeGripperArmColumn>,
   };
   return kCodec;
 }

@@ -20,17 +20,17 @@ class PlayedClient {
   PlayedClient(const std::string& manager, const std::string& process) {
     control_.run(suture::kPatience, [&] {
       names_ = kj::heap<suture::ManagerLink>(
-          control_, std::vector{suture::rpc::Address::parse(manager)}, kName);
+          control_, std::vector{suture::net::Address::parse(manager)}, kName);
       return names_->open(suture::kPatience)
           .then([&] { return names_->resolve(process, suture::kPatience); })
           .then([this](suture::ProcessRecord found) {
-            provider_ = suture::rpc::Address::parse(found.addresses.at(0));
+            provider_ = suture::net::Address::parse(found.addresses.at(0));
             return names_->reach(found, suture::kPatience);
           })
-          .then([this](suture::rpc::ByteStream bytes) {
-            auto stream = kj::heap<suture::rpc::MessageStream>(control_.port(), kj::mv(bytes));
+          .then([this](suture::net::ByteStream bytes) {
+            auto stream = kj::heap<suture::framing::MessageStream>(control_.port(), kj::mv(bytes));
             session_ =
-                kj::heap<suture::rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
+                kj::heap<suture::framing::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
           });
     });
   }
@@ -54,19 +54,19 @@ class PlayedClient {
     });
   }
   /// Returns where the process listens.
-  const suture::rpc::Address& provider() const { return provider_; }
+  const suture::net::Address& provider() const { return provider_; }
 
  protected:
   static constexpr const char* kName = "test";
 
   suture::wire::Peer::Client peer() { return session_->bootstrap<suture::wire::Peer>(); }
 
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
 
  private:
-  suture::rpc::Address provider_;
+  suture::net::Address provider_;
   kj::Own<suture::ManagerLink> names_;
-  kj::Own<suture::rpc::Link> session_;
+  kj::Own<suture::framing::Link> session_;
 };
 
 }  // namespace reference

@@ -133,7 +133,7 @@ class RemoteArm : public testing::Test {
 
  private:
   TemporaryDirectory directory_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   std::unique_ptr<GlobalManager> global_;
 };
 

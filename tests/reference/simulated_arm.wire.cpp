@@ -1,14 +1,14 @@
 // Written by suturec from reference/simulated_arm.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "reference/simulated_arm.capnp.h"
 #include "reference/simulated_arm.suture.h"
 
 namespace reference {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -21,9 +21,9 @@ void toWire(const SimulatedArmParametersSlot& slot, wire::SimulatedArmParameters
 suture::Errc fromWire(wire::SimulatedArmParameters::Reader in, SimulatedArmParametersSlot& slot,
                       suture::Duration) {
   slot.period = in.getPeriod();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.getHome().size() != 0 ? fromWire(in.getHome(), slot.home)
-          : suture::rpc::fromDefault(SimulatedArmParameters().home, slot.home),
+          : suture::codec::fromDefault(SimulatedArmParameters().home, slot.home),
       fromWire(in.getModel(), slot.model),
   });
 }
@@ -34,14 +34,14 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const reference::SimulatedArmParameters& value) {
-  return rpc::encodeAs<reference::wire::SimulatedArmParameters,
-                       reference::SimulatedArmParametersSlot>(value);
+  return codec::encodeAs<reference::wire::SimulatedArmParameters,
+                         reference::SimulatedArmParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, reference::SimulatedArmParameters& value) {
-  return rpc::decodeAs<reference::wire::SimulatedArmParameters,
-                       reference::SimulatedArmParametersSlot>(bytes, value);
+  return codec::decodeAs<reference::wire::SimulatedArmParameters,
+                         reference::SimulatedArmParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

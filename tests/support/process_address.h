@@ -13,9 +13,9 @@
 namespace suture {
 
 inline std::string addressOf(const std::string& manager, const std::string& process,
-                             const rpc::Trust& trust = {}) {
-  rpc::ControlThread control;
-  return control.run(kPatience, [&control, manager = rpc::Address::parse(manager), process, trust] {
+                             const net::Trust& trust = {}) {
+  loop::ControlThread control;
+  return control.run(kPatience, [&control, manager = net::Address::parse(manager), process, trust] {
     auto link = kj::heap<ManagerLink>(control, std::vector{manager}, "test", trust);
     auto& held = *link;
     return held.open(kPatience)

@@ -46,7 +46,7 @@ void emitSourceIncludes(Code& code, const Context& context) {
   if (context.share == 0 && (!header.components.empty() || readsForOthers(context))) {
     includeAll(code, "component/factory/", {"json_reader"});
   }
-  if (travels(header)) includeAll(code, "wire/", {"stamps"});
+  if (travels(header)) includeAll(code, "codec/", {"stamps"});
   code.blank();
   if (namesLimits(context)) code.line("#include <limits>");
   code.line("#include <type_traits>").blank();
@@ -57,7 +57,7 @@ void declareCodecs(Code& code, const Context& context) {
   if (interfaces.empty()) return;
   code.line("// Defined in ", model::stemOf(context.header.path), ".wire.cpp.");
   for (const model::Interface& one : interfaces) {
-    code.line("const suture::rpc::Codec& ", codecFunction(context, one), "();");
+    code.line("const suture::codec::Codec& ", codecFunction(context, one), "();");
   }
   code.blank();
 }

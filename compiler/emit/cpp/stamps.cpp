@@ -47,7 +47,7 @@ bool needsOneStatement(const Type& type) {
 }
 
 std::string statement(const Type& type, const std::string& slot) {
-  if (isStamp(type)) return slot + " = suture::rpc::shifted(" + slot + ", shift);";
+  if (isStamp(type)) return slot + " = suture::codec::shifted(" + slot + ", shift);";
   return "shiftStamps(" + slot + ", shift);";
 }
 

@@ -143,14 +143,14 @@ void emitRow(Code& code, const Context& context, const model::Interface& interfa
 // --- the tables
 
 std::string messageOf(const Message& message) {
-  return "suture::rpc::messageOf<" + message.fields + ", " + kBreakText + message.slot + ", " +
+  return "suture::codec::messageOf<" + message.fields + ", " + kBreakText + message.slot + ", " +
          kBreakText + "encode" + message.name + ", " + kBreakText + "decode" + message.name + ">";
 }
 
 void emitCommandCodecs(Code& code, const Context& context, const model::Interface& interface) {
   const std::vector<const model::Command*> own = ownCommands(interface);
   if (own.empty()) return;
-  code.line("constexpr suture::rpc::CommandCodec k", prefixOf(interface, context),
+  code.line("constexpr suture::codec::CommandCodec k", prefixOf(interface, context),
             "CommandCodecs[] = {");
   for (const model::Command* const command : own) {
     const std::string method =
@@ -158,7 +158,7 @@ void emitCommandCodecs(Code& code, const Context& context, const model::Interfac
     std::vector<std::string> members = {
         ".interface = capnp::typeId<" + wireInterface(interface) + ">()",
         ".method = " + std::to_string(methodOf(context, interface, *command)),
-        ".sent = suture::rpc::sentIn<" + method + "Params>"};
+        ".sent = suture::codec::sentIn<" + method + "Params>"};
     if (!command->parameters.empty()) {
       members.push_back(".arguments = " + messageOf(argumentsOf(context, interface, *command)));
     }
@@ -166,7 +166,7 @@ void emitCommandCodecs(Code& code, const Context& context, const model::Interfac
       members.push_back(".result = " + messageOf(resultOf(context, interface, *command)));
     }
     if (command->kind == model::CommandKind::Read) {
-      members.push_back(".stamp = suture::rpc::stampIn<" + method + "Results>");
+      members.push_back(".stamp = suture::codec::stampIn<" + method + "Results>");
     }
     emitEntry(code, members);
   }
@@ -175,12 +175,12 @@ void emitCommandCodecs(Code& code, const Context& context, const model::Interfac
 
 void emitEventCodecs(Code& code, const Context& context, const model::Interface& interface) {
   if (interface.events.empty()) return;
-  code.line("constexpr suture::rpc::EventCodec k", prefixOf(interface, context),
+  code.line("constexpr suture::codec::EventCodec k", prefixOf(interface, context),
             "EventCodecs[] = {");
   for (const model::Event& event : interface.events) {
     std::vector<std::string> members = {
         ".method = " + std::to_string(methodOf(context, interface, event)),
-        ".stamp = suture::rpc::stampIn<" + wireEventsOf(interface) +
+        ".stamp = suture::codec::stampIn<" + wireEventsOf(interface) +
             "::" + model::titleCase(event.wireName) + "Params>"};
     if (!event.payload.empty()) {
       members.push_back(".payload = " + messageOf(payloadOf(context, interface, event)));
@@ -192,7 +192,7 @@ void emitEventCodecs(Code& code, const Context& context, const model::Interface&
 
 std::string rowOf(const Context& context, const model::Interface& interface) {
   const std::string columns = prefixOf(interface, context) + "Column";
-  return "suture::rpc::rowOf<" + wireEventsOf(interface) + "::StateParams, " + kBreakText +
+  return "suture::codec::rowOf<" + wireEventsOf(interface) + "::StateParams, " + kBreakText +
          wireRow(interface) +
          (readsOf(interface).empty() ? ">"
                                      : std::string(", ") + kBreakText + "encode" + columns + ", " +
@@ -237,11 +237,11 @@ std::string codecFunction(const Context& context, const model::Interface& interf
 void emitCodec(Code& code, const Context& context, const model::Interface& interface) {
   code.line("// --- ", prefixOf(interface, context), " as Cap'n Proto").blank();
   hidden(code, [&](Code& inner) { emitMessages(inner, context, interface); });
-  code.open("const suture::rpc::Codec& ", codecFunction(context, interface), "() {");
+  code.open("const suture::codec::Codec& ", codecFunction(context, interface), "() {");
   const std::string commands = allCommands(code, context, interface);
   const bool derives = !interface.base.empty();
-  code.line("static ", derives ? "const" : "constexpr", " suture::rpc::Codec kCodec{");
-  code.line("    .schema = suture::rpc::schemaOf<", wireInterface(interface), ">,");
+  code.line("static ", derives ? "const" : "constexpr", " suture::codec::Codec kCodec{");
+  code.line("    .schema = suture::codec::schemaOf<", wireInterface(interface), ">,");
   code.line("    .contract = capnp::typeId<", wireInterface(interface), ">(),");
   code.line("    .subscriber = capnp::typeId<", wireEventsOf(interface), ">(),");
   code.line("    .commands = ", commands, ",");

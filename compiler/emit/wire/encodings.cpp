@@ -41,9 +41,9 @@ void emitEncodings(Code& code, const Context& context) {
   for (const model::Struct& type : context.header.structs) {
     const std::string forms = formsOf(type, context);
     code.line("template <>").open(encodeSignature(type, context), " {");
-    code.line("return rpc::encodeAs", forms, "(value);").close("}").blank();
+    code.line("return codec::encodeAs", forms, "(value);").close("}").blank();
     code.line("template <>").open(decodeSignature(type, context), " {");
-    code.line("return rpc::decodeAs", forms, "(bytes, value);").close("}").blank();
+    code.line("return codec::decodeAs", forms, "(bytes, value);").close("}").blank();
   }
 }
 

@@ -27,9 +27,9 @@ void emitIncludes(Code& code, const Context& context) {
   const model::Header& header = context.header;
   const std::string stem = model::stemOf(header.path);
   if (hasPackedFields(header)) includeAll(code, "base/slots/", {"packed_fields"});
-  if (!header.interfaces.empty()) includeAll(code, "wire/", {"codec"});
-  if (!header.structs.empty()) includeAll(code, "wire/", {"flat"});
-  includeAll(code, "wire/", {"wire"});
+  if (!header.interfaces.empty()) includeAll(code, "codec/", {"codec"});
+  if (!header.structs.empty()) includeAll(code, "codec/", {"flat"});
+  includeAll(code, "codec/", {"wire"});
   code.blank();
   for (const std::string& schema : schemasFor(context)) code.line("#include \"", schema, ".h\"");
   code.line("#include \"", stem, ".suture.h\"").blank();
@@ -47,7 +47,7 @@ std::string wireFile(const Context& context) {
   if (mentionsDeprecated(context)) ignoreDeprecation(code);
   emitForeignConverters(code, context);
   inNamespace(code, context.header.cxxNamespace, [&](Code& inner) {
-    emitUsings(inner, {"rpc::fromWire", "rpc::toWire"});
+    emitUsings(inner, {"codec::fromWire", "codec::toWire"});
     emitConverters(inner, context);
     forEachInterface(inner, context, emitCodec);
   });

@@ -122,7 +122,8 @@ std::string encodeInto(const Type& type, const std::string& slot, const Target& 
   }
   if (type.shape == Shape::Nothing) return target.set("");
   const std::string list = target.init(lengthOf(type, slot) + bulkFactor(type));
-  if (lock::isFlatList(type)) return "suture::rpc::toWireFlat(" + slot + ", " + kBreak + list + ")";
+  if (lock::isFlatList(type))
+    return "suture::codec::toWireFlat(" + slot + ", " + kBreak + list + ")";
   if (!isSequence(type) || isPlainSequence(type)) {
     return "toWire(" + slot + ", " + kBreak + list + ")";
   }
@@ -131,7 +132,7 @@ std::string encodeInto(const Type& type, const std::string& slot, const Target& 
   const std::string index = "i" + depthSuffix(depth);
   const std::string statement =
       encodeElement(type, item, Target::element(inner, index), context, depth + 1);
-  return "suture::rpc::toWireList(" + slot + ", " + kBreak + list + ", " + kBreak + "[](const " +
+  return "suture::codec::toWireList(" + slot + ", " + kBreak + list + ", " + kBreak + "[](const " +
          elementSlot(type, context) + "& " + item + ", auto " + inner + ", std::uint32_t " + index +
          ") {" + lambdaBody(statement + ";") + "})";
 }
@@ -156,7 +157,7 @@ Reading decodeSequence(const Type& type, const std::string& in, const std::strin
                            : decodeFrom(element, item, target, shift, context, depth + 1);
   const std::string capture = map || usesShift(element) ? "[&]" : "[]";
   const std::string function =
-      map || type.distinct ? "suture::rpc::fromWireDistinct(" : "suture::rpc::fromWireList(";
+      map || type.distinct ? "suture::codec::fromWireDistinct(" : "suture::codec::fromWireList(";
   return {true, function + in + ", " + kBreak + slot + ", " + kBreak + capture + "(auto " + item +
                     ", " + elementSlot(type, context) + "& " + target + ") {" +
                     lambdaBody("return " + each.text + (each.canFail ? ";" : ", suture::Errc{};")) +
@@ -166,12 +167,13 @@ Reading decodeSequence(const Type& type, const std::string& in, const std::strin
 Reading decodeFrom(const Type& type, const std::string& in, const std::string& slot,
                    const std::string& shift, const Context& context, unsigned depth) {
   const std::string both = "fromWire(" + in + ", " + slot;
-  if (isSteady(type)) return {false, slot + " = suture::rpc::shifted(" + in + ", " + shift + ")"};
+  if (isSteady(type)) return {false, slot + " = suture::codec::shifted(" + in + ", " + shift + ")"};
   if (isNumber(type)) return {false, slot + " = " + in};
   if (isGenerated(type)) return {true, both + ", " + shift + ")"};
-  if (lock::isFlatList(type)) return {true, "suture::rpc::fromWireFlat(" + in + ", " + slot + ")"};
+  if (lock::isFlatList(type))
+    return {true, "suture::codec::fromWireFlat(" + in + ", " + slot + ")"};
   if (type.shape == Shape::Affine) {
-    return {true, "suture::rpc::fromWireAffine(" + in + ", " + slot + ")"};
+    return {true, "suture::codec::fromWireAffine(" + in + ", " + slot + ")"};
   }
   if (type.shape == Shape::Enum) return {true, qualifier(type.name, context) + both + ")"};
   const bool whole = !isSequence(type) ||
@@ -209,7 +211,7 @@ std::string ifSent(const WireValue& value, const std::string& in, const std::str
   if (value.isNeeded && wouldBeMadeUp(value.type))
     return choice(sent, expression, "suture::Errc::Invalid");
   if (value.preset.empty()) return expression;
-  const std::string preset = "suture::rpc::fromDefault(" + value.preset + ", " + value.slot + ")";
+  const std::string preset = "suture::codec::fromDefault(" + value.preset + ", " + value.slot + ")";
   const bool isLong = expression.find(kBody) != std::string::npos;
   return isLong ? choice(whether(false, value, in), preset, expression)
                 : choice(sent, expression, preset);
@@ -345,7 +347,7 @@ void emitChecks(Code& code, const char* beginning, const std::vector<std::string
   } else if (checks.size() == 1) {
     code.line(beginning, checks.front(), ";");
   } else {
-    code.line(beginning, "suture::rpc::firstError({");
+    code.line(beginning, "suture::codec::firstError({");
     for (const std::string& check : checks) code.line("    ", check, ",");
     code.line("});");
   }

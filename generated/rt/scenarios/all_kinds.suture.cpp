@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -74,7 +74,7 @@ bool store(const std::string& value, AllKindsSwapTextArguments& slot) {
 }
 
 // Defined in rt/scenarios/all_kinds.wire.cpp.
-const suture::rpc::Codec& allKindsCodec();
+const suture::codec::Codec& allKindsCodec();
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -63,7 +63,7 @@ bool isValid(const CollectingIntervalSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in suture/standard/collecting.wire.cpp.
-const suture::rpc::Codec& collectingCodec();
+const suture::codec::Codec& collectingCodec();
 
 namespace {
 

@@ -1,15 +1,15 @@
 // Written by suturec from suture/standard/collecting.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "suture/standard/collecting.capnp.h"
 #include "suture/standard/collecting.suture.h"
 
 namespace suture {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -146,55 +146,56 @@ suture::Errc decodeCollectingColumn(wire::CollectingStateRow::Reader in, unsigne
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kCollectingCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kCollectingCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Collecting::StartCollectingParams>},
+     .sent = suture::codec::sentIn<wire::Collecting::StartCollectingParams>},
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Collecting::StopCollectingParams>},
+     .sent = suture::codec::sentIn<wire::Collecting::StopCollectingParams>},
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Collecting::SetIntervalParams>,
-     .arguments = suture::rpc::messageOf<wire::Collecting::SetIntervalParams,
-                                         CollectingSetIntervalArguments,
-                                         encodeCollectingSetInterval, decodeCollectingSetInterval>,
-     .result = suture::rpc::messageOf<wire::Collecting::SetIntervalResults, std::uint8_t,
-                                      encodeCollectingSetIntervalResult,
-                                      decodeCollectingSetIntervalResult>},
+     .sent = suture::codec::sentIn<wire::Collecting::SetIntervalParams>,
+     .arguments = suture::codec::messageOf<wire::Collecting::SetIntervalParams,
+                                           CollectingSetIntervalArguments,
+                                           encodeCollectingSetInterval,
+                                           decodeCollectingSetInterval>,
+     .result = suture::codec::messageOf<wire::Collecting::SetIntervalResults, std::uint8_t,
+                                        encodeCollectingSetIntervalResult,
+                                        decodeCollectingSetIntervalResult>},
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Collecting::IntervalParams>,
-     .result = suture::rpc::messageOf<wire::Collecting::IntervalResults, CollectingIntervalSlot,
-                                      encodeCollectingIntervalResult,
-                                      decodeCollectingIntervalResult>,
-     .stamp = suture::rpc::stampIn<wire::Collecting::IntervalResults>},
+     .sent = suture::codec::sentIn<wire::Collecting::IntervalParams>,
+     .result = suture::codec::messageOf<wire::Collecting::IntervalResults, CollectingIntervalSlot,
+                                        encodeCollectingIntervalResult,
+                                        decodeCollectingIntervalResult>,
+     .stamp = suture::codec::stampIn<wire::Collecting::IntervalResults>},
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 5,
-     .sent = suture::rpc::sentIn<wire::Collecting::CollectingParams>,
-     .result = suture::rpc::messageOf<wire::Collecting::CollectingResults, std::uint8_t,
-                                      encodeCollectingCollectingResult,
-                                      decodeCollectingCollectingResult>,
-     .stamp = suture::rpc::stampIn<wire::Collecting::CollectingResults>},
+     .sent = suture::codec::sentIn<wire::Collecting::CollectingParams>,
+     .result = suture::codec::messageOf<wire::Collecting::CollectingResults, std::uint8_t,
+                                        encodeCollectingCollectingResult,
+                                        decodeCollectingCollectingResult>,
+     .stamp = suture::codec::stampIn<wire::Collecting::CollectingResults>},
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 6,
-     .sent = suture::rpc::sentIn<wire::Collecting::CountsParams>,
-     .result = suture::rpc::messageOf<wire::Collecting::CountsResults, CollectedCountsSlot,
-                                      encodeCollectingCountsResult, decodeCollectingCountsResult>,
-     .stamp = suture::rpc::stampIn<wire::Collecting::CountsResults>},
+     .sent = suture::codec::sentIn<wire::Collecting::CountsParams>,
+     .result = suture::codec::messageOf<wire::Collecting::CountsResults, CollectedCountsSlot,
+                                        encodeCollectingCountsResult, decodeCollectingCountsResult>,
+     .stamp = suture::codec::stampIn<wire::Collecting::CountsResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& collectingCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Collecting>,
+const suture::codec::Codec& collectingCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Collecting>,
       .contract = capnp::typeId<wire::Collecting>(),
       .subscriber = capnp::typeId<wire::CollectingEvents>(),
       .commands = kCollectingCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::CollectingEvents::StateParams, wire::CollectingStateRow,
-                                encodeCollectingColumn, decodeCollectingColumn>,
+      .row = suture::codec::rowOf<wire::CollectingEvents::StateParams, wire::CollectingStateRow,
+                                  encodeCollectingColumn, decodeCollectingColumn>,
   };
   return kCodec;
 }
@@ -205,23 +206,23 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const suture::CollectedCounts& value) {
-  return rpc::encodeAs<suture::wire::CollectedCounts, suture::CollectedCountsSlot>(value);
+  return codec::encodeAs<suture::wire::CollectedCounts, suture::CollectedCountsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, suture::CollectedCounts& value) {
-  return rpc::decodeAs<suture::wire::CollectedCounts, suture::CollectedCountsSlot>(bytes, value);
+  return codec::decodeAs<suture::wire::CollectedCounts, suture::CollectedCountsSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const suture::CollectingInterval& value) {
-  return rpc::encodeAs<suture::wire::CollectingInterval, suture::CollectingIntervalSlot>(value);
+  return codec::encodeAs<suture::wire::CollectingInterval, suture::CollectingIntervalSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, suture::CollectingInterval& value) {
-  return rpc::decodeAs<suture::wire::CollectingInterval,
-                       suture::CollectingIntervalSlot>(bytes, value);
+  return codec::decodeAs<suture::wire::CollectingInterval,
+                         suture::CollectingIntervalSlot>(bytes, value);
 }
 
 }  // namespace suture

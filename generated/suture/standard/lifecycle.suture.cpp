@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -55,7 +55,7 @@ void reserve(const StateChangeSlot*, StateChange& value) {
 }
 
 void shiftStamps(StateChangeSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool store(const std::string& required, LifecycleResumeConnectionArguments& slot) {
@@ -93,7 +93,7 @@ bool isValid(const StateChangeSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in suture/standard/lifecycle.wire.cpp.
-const suture::rpc::Codec& lifecycleCodec();
+const suture::codec::Codec& lifecycleCodec();
 
 namespace {
 

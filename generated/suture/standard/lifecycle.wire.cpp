@@ -1,15 +1,15 @@
 // Written by suturec from suture/standard/lifecycle.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "suture/standard/lifecycle.capnp.h"
 #include "suture/standard/lifecycle.suture.h"
 
 namespace suture {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -80,8 +80,8 @@ void toWire(const StateChangeSlot& slot, wire::StateChange::Builder out) {
 }
 
 suture::Errc fromWire(wire::StateChange::Reader in, StateChangeSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return suture::rpc::firstError({
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  return suture::codec::firstError({
       fromWire(in.getState(), slot.state),
       fromWire(in.getFault(), slot.fault),
   });
@@ -174,55 +174,56 @@ suture::Errc decodeLifecycleColumn(wire::LifecycleStateRow::Reader in, unsigned 
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kLifecycleCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kLifecycleCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Lifecycle>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Lifecycle::SuspendParams>,
-     .result = suture::rpc::messageOf<wire::Lifecycle::SuspendResults, std::uint8_t,
-                                      encodeLifecycleSuspendResult, decodeLifecycleSuspendResult>},
+     .sent = suture::codec::sentIn<wire::Lifecycle::SuspendParams>,
+     .result = suture::codec::messageOf<wire::Lifecycle::SuspendResults, std::uint8_t,
+                                        encodeLifecycleSuspendResult,
+                                        decodeLifecycleSuspendResult>},
     {.interface = capnp::typeId<wire::Lifecycle>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Lifecycle::ResumeParams>,
-     .result = suture::rpc::messageOf<wire::Lifecycle::ResumeResults, std::uint8_t,
-                                      encodeLifecycleResumeResult, decodeLifecycleResumeResult>},
+     .sent = suture::codec::sentIn<wire::Lifecycle::ResumeParams>,
+     .result = suture::codec::messageOf<wire::Lifecycle::ResumeResults, std::uint8_t,
+                                        encodeLifecycleResumeResult, decodeLifecycleResumeResult>},
     {.interface = capnp::typeId<wire::Lifecycle>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Lifecycle::ComponentStateParams>,
-     .result = suture::rpc::messageOf<wire::Lifecycle::ComponentStateResults, std::uint8_t,
-                                      encodeLifecycleComponentStateResult,
-                                      decodeLifecycleComponentStateResult>,
-     .stamp = suture::rpc::stampIn<wire::Lifecycle::ComponentStateResults>},
+     .sent = suture::codec::sentIn<wire::Lifecycle::ComponentStateParams>,
+     .result = suture::codec::messageOf<wire::Lifecycle::ComponentStateResults, std::uint8_t,
+                                        encodeLifecycleComponentStateResult,
+                                        decodeLifecycleComponentStateResult>,
+     .stamp = suture::codec::stampIn<wire::Lifecycle::ComponentStateResults>},
     {.interface = capnp::typeId<wire::Lifecycle>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Lifecycle::ResumeConnectionParams>,
-     .arguments = suture::rpc::messageOf<wire::Lifecycle::ResumeConnectionParams,
-                                         LifecycleResumeConnectionArguments,
-                                         encodeLifecycleResumeConnection,
-                                         decodeLifecycleResumeConnection>,
-     .result = suture::rpc::messageOf<wire::Lifecycle::ResumeConnectionResults, std::uint8_t,
-                                      encodeLifecycleResumeConnectionResult,
-                                      decodeLifecycleResumeConnectionResult>},
+     .sent = suture::codec::sentIn<wire::Lifecycle::ResumeConnectionParams>,
+     .arguments = suture::codec::messageOf<wire::Lifecycle::ResumeConnectionParams,
+                                           LifecycleResumeConnectionArguments,
+                                           encodeLifecycleResumeConnection,
+                                           decodeLifecycleResumeConnection>,
+     .result = suture::codec::messageOf<wire::Lifecycle::ResumeConnectionResults, std::uint8_t,
+                                        encodeLifecycleResumeConnectionResult,
+                                        decodeLifecycleResumeConnectionResult>},
 };
 
-constexpr suture::rpc::EventCodec kLifecycleEventCodecs[] = {
+constexpr suture::codec::EventCodec kLifecycleEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::LifecycleEvents::StateChangedParams>,
-     .payload = suture::rpc::messageOf<wire::LifecycleEvents::StateChangedParams, StateChangeSlot,
-                                       encodeLifecycleStateChangedEvent,
-                                       decodeLifecycleStateChangedEvent>},
+     .stamp = suture::codec::stampIn<wire::LifecycleEvents::StateChangedParams>,
+     .payload = suture::codec::messageOf<wire::LifecycleEvents::StateChangedParams, StateChangeSlot,
+                                         encodeLifecycleStateChangedEvent,
+                                         decodeLifecycleStateChangedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& lifecycleCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Lifecycle>,
+const suture::codec::Codec& lifecycleCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Lifecycle>,
       .contract = capnp::typeId<wire::Lifecycle>(),
       .subscriber = capnp::typeId<wire::LifecycleEvents>(),
       .commands = kLifecycleCommandCodecs,
       .events = kLifecycleEventCodecs,
-      .row = suture::rpc::rowOf<wire::LifecycleEvents::StateParams, wire::LifecycleStateRow,
-                                encodeLifecycleColumn, decodeLifecycleColumn>,
+      .row = suture::codec::rowOf<wire::LifecycleEvents::StateParams, wire::LifecycleStateRow,
+                                  encodeLifecycleColumn, decodeLifecycleColumn>,
   };
   return kCodec;
 }
@@ -233,12 +234,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const suture::StateChange& value) {
-  return rpc::encodeAs<suture::wire::StateChange, suture::StateChangeSlot>(value);
+  return codec::encodeAs<suture::wire::StateChange, suture::StateChangeSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, suture::StateChange& value) {
-  return rpc::decodeAs<suture::wire::StateChange, suture::StateChangeSlot>(bytes, value);
+  return codec::decodeAs<suture::wire::StateChange, suture::StateChangeSlot>(bytes, value);
 }
 
 }  // namespace suture

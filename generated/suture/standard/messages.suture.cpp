@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -44,7 +44,7 @@ void reserve(const MessageSlot*, Message& value) {
 }
 
 void shiftStamps(MessageSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isValid(const MessageSlot&, suture::FieldPath*) {
@@ -52,7 +52,7 @@ bool isValid(const MessageSlot&, suture::FieldPath*) {
 }
 
 // Defined in suture/standard/messages.wire.cpp.
-const suture::rpc::Codec& messagesCodec();
+const suture::codec::Codec& messagesCodec();
 
 namespace {
 

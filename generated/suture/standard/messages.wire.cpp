@@ -1,15 +1,15 @@
 // Written by suturec from suture/standard/messages.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "suture/standard/messages.capnp.h"
 #include "suture/standard/messages.suture.h"
 
 namespace suture {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -23,7 +23,7 @@ void toWire(const MessageSlot& slot, wire::Message::Builder out) {
 suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift) {
   slot.code = in.getCode();
   slot.counter = in.getCounter();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   return fromWire(in.getText(), slot.text);
 }
 
@@ -58,31 +58,31 @@ suture::Errc decodeMessagesErrorEvent(wire::MessagesEvents::ErrorParams::Reader 
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::EventCodec kMessagesEventCodecs[] = {
+constexpr suture::codec::EventCodec kMessagesEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::MessagesEvents::StatusParams>,
-     .payload = suture::rpc::messageOf<wire::MessagesEvents::StatusParams, MessageSlot,
-                                       encodeMessagesStatusEvent, decodeMessagesStatusEvent>},
+     .stamp = suture::codec::stampIn<wire::MessagesEvents::StatusParams>,
+     .payload = suture::codec::messageOf<wire::MessagesEvents::StatusParams, MessageSlot,
+                                         encodeMessagesStatusEvent, decodeMessagesStatusEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::MessagesEvents::WarningParams>,
-     .payload = suture::rpc::messageOf<wire::MessagesEvents::WarningParams, MessageSlot,
-                                       encodeMessagesWarningEvent, decodeMessagesWarningEvent>},
+     .stamp = suture::codec::stampIn<wire::MessagesEvents::WarningParams>,
+     .payload = suture::codec::messageOf<wire::MessagesEvents::WarningParams, MessageSlot,
+                                         encodeMessagesWarningEvent, decodeMessagesWarningEvent>},
     {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::MessagesEvents::ErrorParams>,
-     .payload = suture::rpc::messageOf<wire::MessagesEvents::ErrorParams, MessageSlot,
-                                       encodeMessagesErrorEvent, decodeMessagesErrorEvent>},
+     .stamp = suture::codec::stampIn<wire::MessagesEvents::ErrorParams>,
+     .payload = suture::codec::messageOf<wire::MessagesEvents::ErrorParams, MessageSlot,
+                                         encodeMessagesErrorEvent, decodeMessagesErrorEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& messagesCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Messages>,
+const suture::codec::Codec& messagesCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Messages>,
       .contract = capnp::typeId<wire::Messages>(),
       .subscriber = capnp::typeId<wire::MessagesEvents>(),
       .commands = {},
       .events = kMessagesEventCodecs,
-      .row = suture::rpc::rowOf<wire::MessagesEvents::StateParams, wire::MessagesStateRow>,
+      .row = suture::codec::rowOf<wire::MessagesEvents::StateParams, wire::MessagesStateRow>,
   };
   return kCodec;
 }
@@ -93,12 +93,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const suture::Message& value) {
-  return rpc::encodeAs<suture::wire::Message, suture::MessageSlot>(value);
+  return codec::encodeAs<suture::wire::Message, suture::MessageSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, suture::Message& value) {
-  return rpc::decodeAs<suture::wire::Message, suture::MessageSlot>(bytes, value);
+  return codec::decodeAs<suture::wire::Message, suture::MessageSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -69,8 +69,8 @@ void load(const TaskWindowSlot& slot, TaskWindow& value) {
 }
 
 void shiftStamps(TaskWindowSlot& slot, suture::Duration shift) {
-  slot.begin = suture::rpc::shifted(slot.begin, shift);
-  slot.end = suture::rpc::shifted(slot.end, shift);
+  slot.begin = suture::codec::shifted(slot.begin, shift);
+  slot.end = suture::codec::shifted(slot.end, shift);
 }
 
 bool isValid(const DurationSummarySlot&, suture::FieldPath*) {
@@ -83,7 +83,7 @@ bool isValid(const TaskWindowSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in suture/standard/task_timing.wire.cpp.
-const suture::rpc::Codec& taskTimingCodec();
+const suture::codec::Codec& taskTimingCodec();
 
 namespace {
 

@@ -1,15 +1,15 @@
 // Written by suturec from suture/standard/task_timing.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "suture/standard/task_timing.capnp.h"
 #include "suture/standard/task_timing.suture.h"
 
 namespace suture {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -41,11 +41,11 @@ void toWire(const TaskWindowSlot& slot, wire::TaskWindow::Builder out) {
 }
 
 suture::Errc fromWire(wire::TaskWindow::Reader in, TaskWindowSlot& slot, suture::Duration shift) {
-  slot.begin = suture::rpc::shifted(in.getBegin(), shift);
-  slot.end = suture::rpc::shifted(in.getEnd(), shift);
+  slot.begin = suture::codec::shifted(in.getBegin(), shift);
+  slot.end = suture::codec::shifted(in.getEnd(), shift);
   slot.cycles = in.getCycles();
   slot.skipped = in.getSkipped();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getPeriod(), slot.period, shift),
       fromWire(in.getCompute(), slot.compute, shift),
   });
@@ -138,38 +138,39 @@ suture::Errc decodeTaskTimingColumn(wire::TaskTimingStateRow::Reader in, unsigne
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kTaskTimingCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kTaskTimingCommandCodecs[] = {
     {.interface = capnp::typeId<wire::TaskTiming>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::TaskTiming::WindowParams>,
-     .result = suture::rpc::messageOf<wire::TaskTiming::WindowResults, TaskWindowSlot,
-                                      encodeTaskTimingWindowResult, decodeTaskTimingWindowResult>,
-     .stamp = suture::rpc::stampIn<wire::TaskTiming::WindowResults>},
+     .sent = suture::codec::sentIn<wire::TaskTiming::WindowParams>,
+     .result = suture::codec::messageOf<wire::TaskTiming::WindowResults, TaskWindowSlot,
+                                        encodeTaskTimingWindowResult, decodeTaskTimingWindowResult>,
+     .stamp = suture::codec::stampIn<wire::TaskTiming::WindowResults>},
     {.interface = capnp::typeId<wire::TaskTiming>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::TaskTiming::CyclesParams>,
-     .result = suture::rpc::messageOf<wire::TaskTiming::CyclesResults, std::uint64_t,
-                                      encodeTaskTimingCyclesResult, decodeTaskTimingCyclesResult>,
-     .stamp = suture::rpc::stampIn<wire::TaskTiming::CyclesResults>},
+     .sent = suture::codec::sentIn<wire::TaskTiming::CyclesParams>,
+     .result = suture::codec::messageOf<wire::TaskTiming::CyclesResults, std::uint64_t,
+                                        encodeTaskTimingCyclesResult, decodeTaskTimingCyclesResult>,
+     .stamp = suture::codec::stampIn<wire::TaskTiming::CyclesResults>},
     {.interface = capnp::typeId<wire::TaskTiming>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::TaskTiming::SkippedParams>,
-     .result = suture::rpc::messageOf<wire::TaskTiming::SkippedResults, std::uint64_t,
-                                      encodeTaskTimingSkippedResult, decodeTaskTimingSkippedResult>,
-     .stamp = suture::rpc::stampIn<wire::TaskTiming::SkippedResults>},
+     .sent = suture::codec::sentIn<wire::TaskTiming::SkippedParams>,
+     .result = suture::codec::messageOf<wire::TaskTiming::SkippedResults, std::uint64_t,
+                                        encodeTaskTimingSkippedResult,
+                                        decodeTaskTimingSkippedResult>,
+     .stamp = suture::codec::stampIn<wire::TaskTiming::SkippedResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& taskTimingCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::TaskTiming>,
+const suture::codec::Codec& taskTimingCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::TaskTiming>,
       .contract = capnp::typeId<wire::TaskTiming>(),
       .subscriber = capnp::typeId<wire::TaskTimingEvents>(),
       .commands = kTaskTimingCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::TaskTimingEvents::StateParams, wire::TaskTimingStateRow,
-                                encodeTaskTimingColumn, decodeTaskTimingColumn>,
+      .row = suture::codec::rowOf<wire::TaskTimingEvents::StateParams, wire::TaskTimingStateRow,
+                                  encodeTaskTimingColumn, decodeTaskTimingColumn>,
   };
   return kCodec;
 }
@@ -180,22 +181,22 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const suture::DurationSummary& value) {
-  return rpc::encodeAs<suture::wire::DurationSummary, suture::DurationSummarySlot>(value);
+  return codec::encodeAs<suture::wire::DurationSummary, suture::DurationSummarySlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, suture::DurationSummary& value) {
-  return rpc::decodeAs<suture::wire::DurationSummary, suture::DurationSummarySlot>(bytes, value);
+  return codec::decodeAs<suture::wire::DurationSummary, suture::DurationSummarySlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const suture::TaskWindow& value) {
-  return rpc::encodeAs<suture::wire::TaskWindow, suture::TaskWindowSlot>(value);
+  return codec::encodeAs<suture::wire::TaskWindow, suture::TaskWindowSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, suture::TaskWindow& value) {
-  return rpc::decodeAs<suture::wire::TaskWindow, suture::TaskWindowSlot>(bytes, value);
+  return codec::decodeAs<suture::wire::TaskWindow, suture::TaskWindowSlot>(bytes, value);
 }
 
 }  // namespace suture

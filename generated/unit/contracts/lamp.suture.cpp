@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -16,7 +16,7 @@ using suture::store;
 bool store(const bool& on, LampLightArguments& slot) { return store(on, slot.on); }
 
 // Defined in unit/contracts/lamp.wire.cpp.
-const suture::rpc::Codec& lampCodec();
+const suture::codec::Codec& lampCodec();
 
 namespace {
 

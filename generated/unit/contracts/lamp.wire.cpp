@@ -1,6 +1,6 @@
 // Written by suturec from unit/contracts/lamp.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "unit/contracts/lamp.capnp.h"
 #include "unit/contracts/lamp.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Durat
 
 namespace contracts {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Lamp as Cap'n Proto
 
@@ -89,46 +89,46 @@ suture::Errc decodeLampColumn(wire::LampStateRow::Reader in, unsigned column, st
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kLampCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kLampCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Lamp>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Lamp::LightParams>,
-     .arguments = suture::rpc::messageOf<wire::Lamp::LightParams, LampLightArguments,
-                                         encodeLampLight, decodeLampLight>},
+     .sent = suture::codec::sentIn<wire::Lamp::LightParams>,
+     .arguments = suture::codec::messageOf<wire::Lamp::LightParams, LampLightArguments,
+                                           encodeLampLight, decodeLampLight>},
     {.interface = capnp::typeId<wire::Lamp>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Lamp::LitParams>,
-     .result = suture::rpc::messageOf<wire::Lamp::LitResults, std::uint8_t, encodeLampLitResult,
-                                      decodeLampLitResult>,
-     .stamp = suture::rpc::stampIn<wire::Lamp::LitResults>},
+     .sent = suture::codec::sentIn<wire::Lamp::LitParams>,
+     .result = suture::codec::messageOf<wire::Lamp::LitResults, std::uint8_t, encodeLampLitResult,
+                                        decodeLampLitResult>,
+     .stamp = suture::codec::stampIn<wire::Lamp::LitResults>},
 };
 
-constexpr suture::rpc::EventCodec kLampEventCodecs[] = {
+constexpr suture::codec::EventCodec kLampEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::LampEvents::StatusParams>,
-     .payload = suture::rpc::messageOf<wire::LampEvents::StatusParams, suture::MessageSlot,
-                                       encodeLampStatusEvent, decodeLampStatusEvent>},
+     .stamp = suture::codec::stampIn<wire::LampEvents::StatusParams>,
+     .payload = suture::codec::messageOf<wire::LampEvents::StatusParams, suture::MessageSlot,
+                                         encodeLampStatusEvent, decodeLampStatusEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::LampEvents::WarningParams>,
-     .payload = suture::rpc::messageOf<wire::LampEvents::WarningParams, suture::MessageSlot,
-                                       encodeLampWarningEvent, decodeLampWarningEvent>},
+     .stamp = suture::codec::stampIn<wire::LampEvents::WarningParams>,
+     .payload = suture::codec::messageOf<wire::LampEvents::WarningParams, suture::MessageSlot,
+                                         encodeLampWarningEvent, decodeLampWarningEvent>},
     {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::LampEvents::ErrorParams>,
-     .payload = suture::rpc::messageOf<wire::LampEvents::ErrorParams, suture::MessageSlot,
-                                       encodeLampErrorEvent, decodeLampErrorEvent>},
+     .stamp = suture::codec::stampIn<wire::LampEvents::ErrorParams>,
+     .payload = suture::codec::messageOf<wire::LampEvents::ErrorParams, suture::MessageSlot,
+                                         encodeLampErrorEvent, decodeLampErrorEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& lampCodec() {
-  static const suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Lamp>,
+const suture::codec::Codec& lampCodec() {
+  static const suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Lamp>,
       .contract = capnp::typeId<wire::Lamp>(),
       .subscriber = capnp::typeId<wire::LampEvents>(),
       .commands = kLampCommandCodecs,
       .events = kLampEventCodecs,
-      .row = suture::rpc::rowOf<wire::LampEvents::StateParams, wire::LampStateRow, encodeLampColumn,
-                                decodeLampColumn>,
+      .row = suture::codec::rowOf<wire::LampEvents::StateParams, wire::LampStateRow,
+                                  encodeLampColumn, decodeLampColumn>,
   };
   return kCodec;
 }

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <limits>
 #include <type_traits>
@@ -19,7 +19,7 @@ bool store(const bool& all, ShareSharesArguments& slot) { return store(all, slot
 bool store(const double& wanted, ShareTakeArguments& slot) { return store(wanted, slot.wanted); }
 
 // Defined in unit/contracts/share.wire.cpp.
-const suture::rpc::Codec& shareCodec();
+const suture::codec::Codec& shareCodec();
 
 namespace {
 

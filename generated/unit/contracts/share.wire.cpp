@@ -1,14 +1,14 @@
 // Written by suturec from unit/contracts/share.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "unit/contracts/share.capnp.h"
 #include "unit/contracts/share.suture.h"
 
 namespace contracts {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Share as Cap'n Proto
 
@@ -104,46 +104,46 @@ suture::Errc decodeShareColumn(wire::ShareStateRow::Reader in, unsigned column, 
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kShareCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kShareCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Share>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Share::ShareParams>,
-     .result = suture::rpc::messageOf<wire::Share::ShareResults, double, encodeShareShareResult,
-                                      decodeShareShareResult>,
-     .stamp = suture::rpc::stampIn<wire::Share::ShareResults>},
+     .sent = suture::codec::sentIn<wire::Share::ShareParams>,
+     .result = suture::codec::messageOf<wire::Share::ShareResults, double, encodeShareShareResult,
+                                        decodeShareShareResult>,
+     .stamp = suture::codec::stampIn<wire::Share::ShareResults>},
     {.interface = capnp::typeId<wire::Share>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Share::SharesParams>,
-     .arguments = suture::rpc::messageOf<wire::Share::SharesParams, ShareSharesArguments,
-                                         encodeShareShares, decodeShareShares>,
-     .result = suture::rpc::messageOf<wire::Share::SharesResults, std::int32_t,
-                                      encodeShareSharesResult, decodeShareSharesResult>},
+     .sent = suture::codec::sentIn<wire::Share::SharesParams>,
+     .arguments = suture::codec::messageOf<wire::Share::SharesParams, ShareSharesArguments,
+                                           encodeShareShares, decodeShareShares>,
+     .result = suture::codec::messageOf<wire::Share::SharesResults, std::int32_t,
+                                        encodeShareSharesResult, decodeShareSharesResult>},
     {.interface = capnp::typeId<wire::Share>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Share::TakeParams>,
-     .arguments = suture::rpc::messageOf<wire::Share::TakeParams, ShareTakeArguments,
-                                         encodeShareTake, decodeShareTake>,
-     .result = suture::rpc::messageOf<wire::Share::TakeResults, double, encodeShareTakeResult,
-                                      decodeShareTakeResult>},
+     .sent = suture::codec::sentIn<wire::Share::TakeParams>,
+     .arguments = suture::codec::messageOf<wire::Share::TakeParams, ShareTakeArguments,
+                                           encodeShareTake, decodeShareTake>,
+     .result = suture::codec::messageOf<wire::Share::TakeResults, double, encodeShareTakeResult,
+                                        decodeShareTakeResult>},
     {.interface = capnp::typeId<wire::Share>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Share::ReachParams>,
-     .result = suture::rpc::messageOf<wire::Share::ReachResults, double, encodeShareReachResult,
-                                      decodeShareReachResult>,
-     .stamp = suture::rpc::stampIn<wire::Share::ReachResults>},
+     .sent = suture::codec::sentIn<wire::Share::ReachParams>,
+     .result = suture::codec::messageOf<wire::Share::ReachResults, double, encodeShareReachResult,
+                                        decodeShareReachResult>,
+     .stamp = suture::codec::stampIn<wire::Share::ReachResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& shareCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Share>,
+const suture::codec::Codec& shareCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Share>,
       .contract = capnp::typeId<wire::Share>(),
       .subscriber = capnp::typeId<wire::ShareEvents>(),
       .commands = kShareCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::ShareEvents::StateParams, wire::ShareStateRow,
-                                encodeShareColumn, decodeShareColumn>,
+      .row = suture::codec::rowOf<wire::ShareEvents::StateParams, wire::ShareStateRow,
+                                  encodeShareColumn, decodeShareColumn>,
   };
   return kCodec;
 }

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -67,7 +67,7 @@ bool isValid(const DotsSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in unit/large_values/canvas.wire.cpp.
-const suture::rpc::Codec& canvasCodec();
+const suture::codec::Codec& canvasCodec();
 
 namespace {
 

@@ -1,15 +1,15 @@
 // Written by suturec from unit/large_values/canvas.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "unit/large_values/canvas.capnp.h"
 #include "unit/large_values/canvas.suture.h"
 
 namespace large_values {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -23,14 +23,14 @@ suture::Errc fromWire(wire::Dot::Reader in, DotSlot& slot, suture::Duration) {
 }
 
 void toWire(const DotsSlot& slot, wire::Dots::Builder out) {
-  suture::rpc::toWireList(slot.dots, out.initDots(sizeOf(slot.dots)),
-                          [](const DotSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.dots, out.initDots(sizeOf(slot.dots)),
+                            [](const DotSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
 }
 
 suture::Errc fromWire(wire::Dots::Reader in, DotsSlot& slot, suture::Duration shift) {
-  return suture::rpc::fromWireList(in.getDots(), slot.dots, [&](auto item, DotSlot& target) {
+  return suture::codec::fromWireList(in.getDots(), slot.dots, [&](auto item, DotSlot& target) {
     return fromWire(item, target, shift);
   });
 }
@@ -116,50 +116,50 @@ suture::Errc decodeCanvasColumn(wire::CanvasStateRow::Reader in, unsigned column
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kCanvasCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kCanvasCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Canvas>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Canvas::ResizeParams>,
-     .arguments = suture::rpc::messageOf<wire::Canvas::ResizeParams, CanvasResizeArguments,
-                                         encodeCanvasResize, decodeCanvasResize>},
+     .sent = suture::codec::sentIn<wire::Canvas::ResizeParams>,
+     .arguments = suture::codec::messageOf<wire::Canvas::ResizeParams, CanvasResizeArguments,
+                                           encodeCanvasResize, decodeCanvasResize>},
     {.interface = capnp::typeId<wire::Canvas>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Canvas::PaintParams>,
-     .arguments = suture::rpc::messageOf<wire::Canvas::PaintParams, CanvasPaintArguments,
-                                         encodeCanvasPaint, decodeCanvasPaint>},
+     .sent = suture::codec::sentIn<wire::Canvas::PaintParams>,
+     .arguments = suture::codec::messageOf<wire::Canvas::PaintParams, CanvasPaintArguments,
+                                           encodeCanvasPaint, decodeCanvasPaint>},
     {.interface = capnp::typeId<wire::Canvas>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Canvas::PaintingParams>,
-     .result = suture::rpc::messageOf<wire::Canvas::PaintingResults, DotsSlot,
-                                      encodeCanvasPaintingResult, decodeCanvasPaintingResult>,
-     .stamp = suture::rpc::stampIn<wire::Canvas::PaintingResults>},
+     .sent = suture::codec::sentIn<wire::Canvas::PaintingParams>,
+     .result = suture::codec::messageOf<wire::Canvas::PaintingResults, DotsSlot,
+                                        encodeCanvasPaintingResult, decodeCanvasPaintingResult>,
+     .stamp = suture::codec::stampIn<wire::Canvas::PaintingResults>},
     {.interface = capnp::typeId<wire::Canvas>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Canvas::CopyParams>,
-     .arguments = suture::rpc::messageOf<wire::Canvas::CopyParams, CanvasCopyArguments,
-                                         encodeCanvasCopy, decodeCanvasCopy>,
-     .result = suture::rpc::messageOf<wire::Canvas::CopyResults, DotsSlot, encodeCanvasCopyResult,
-                                      decodeCanvasCopyResult>},
+     .sent = suture::codec::sentIn<wire::Canvas::CopyParams>,
+     .arguments = suture::codec::messageOf<wire::Canvas::CopyParams, CanvasCopyArguments,
+                                           encodeCanvasCopy, decodeCanvasCopy>,
+     .result = suture::codec::messageOf<wire::Canvas::CopyResults, DotsSlot, encodeCanvasCopyResult,
+                                        decodeCanvasCopyResult>},
 };
 
-constexpr suture::rpc::EventCodec kCanvasEventCodecs[] = {
+constexpr suture::codec::EventCodec kCanvasEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::CanvasEvents::PaintedParams>,
-     .payload = suture::rpc::messageOf<wire::CanvasEvents::PaintedParams, DotsSlot,
-                                       encodeCanvasPaintedEvent, decodeCanvasPaintedEvent>},
+     .stamp = suture::codec::stampIn<wire::CanvasEvents::PaintedParams>,
+     .payload = suture::codec::messageOf<wire::CanvasEvents::PaintedParams, DotsSlot,
+                                         encodeCanvasPaintedEvent, decodeCanvasPaintedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& canvasCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Canvas>,
+const suture::codec::Codec& canvasCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Canvas>,
       .contract = capnp::typeId<wire::Canvas>(),
       .subscriber = capnp::typeId<wire::CanvasEvents>(),
       .commands = kCanvasCommandCodecs,
       .events = kCanvasEventCodecs,
-      .row = suture::rpc::rowOf<wire::CanvasEvents::StateParams, wire::CanvasStateRow,
-                                encodeCanvasColumn, decodeCanvasColumn>,
+      .row = suture::codec::rowOf<wire::CanvasEvents::StateParams, wire::CanvasStateRow,
+                                  encodeCanvasColumn, decodeCanvasColumn>,
   };
   return kCodec;
 }
@@ -170,22 +170,22 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const large_values::Dot& value) {
-  return rpc::encodeAs<large_values::wire::Dot, large_values::DotSlot>(value);
+  return codec::encodeAs<large_values::wire::Dot, large_values::DotSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, large_values::Dot& value) {
-  return rpc::decodeAs<large_values::wire::Dot, large_values::DotSlot>(bytes, value);
+  return codec::decodeAs<large_values::wire::Dot, large_values::DotSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const large_values::Dots& value) {
-  return rpc::encodeAs<large_values::wire::Dots, large_values::DotsSlot>(value);
+  return codec::encodeAs<large_values::wire::Dots, large_values::DotsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, large_values::Dots& value) {
-  return rpc::decodeAs<large_values::wire::Dots, large_values::DotsSlot>(bytes, value);
+  return codec::decodeAs<large_values::wire::Dots, large_values::DotsSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -16,7 +16,7 @@ using suture::store;
 bool store(const Picture& picture, HallFillArguments& slot) { return store(picture, slot.picture); }
 
 // Defined in unit/large_values/hall.wire.cpp.
-const suture::rpc::Codec& hallCodec();
+const suture::codec::Codec& hallCodec();
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Written by suturec from unit/large_values/hall.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "unit/large_values/hall.capnp.h"
 #include "unit/large_values/hall.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::Picture::Reader in, PictureSlot& slot, suture::Durat
 
 namespace large_values {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Hall as Cap'n Proto
 
@@ -28,24 +28,24 @@ suture::Errc decodeHallFill(wire::Hall::FillParams::Reader in, HallFillArguments
   return in.hasPicture() ? fromWire(in.getPicture(), slot.picture, shift) : suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kHallCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kHallCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Hall>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Hall::FillParams>,
-     .arguments = suture::rpc::messageOf<wire::Hall::FillParams, HallFillArguments, encodeHallFill,
-                                         decodeHallFill>},
+     .sent = suture::codec::sentIn<wire::Hall::FillParams>,
+     .arguments = suture::codec::messageOf<wire::Hall::FillParams, HallFillArguments,
+                                           encodeHallFill, decodeHallFill>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& hallCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Hall>,
+const suture::codec::Codec& hallCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Hall>,
       .contract = capnp::typeId<wire::Hall>(),
       .subscriber = capnp::typeId<wire::HallEvents>(),
       .commands = kHallCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::HallEvents::StateParams, wire::HallStateRow>,
+      .row = suture::codec::rowOf<wire::HallEvents::StateParams, wire::HallStateRow>,
   };
   return kCodec;
 }

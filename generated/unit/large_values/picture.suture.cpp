@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -47,7 +47,7 @@ bool isValid(const PictureSlot&, suture::FieldPath*) {
 }
 
 // Defined in unit/large_values/picture.wire.cpp.
-const suture::rpc::Codec& galleryCodec();
+const suture::codec::Codec& galleryCodec();
 
 namespace {
 

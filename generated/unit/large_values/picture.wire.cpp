@@ -1,15 +1,15 @@
 // Written by suturec from unit/large_values/picture.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "unit/large_values/picture.capnp.h"
 #include "unit/large_values/picture.suture.h"
 
 namespace large_values {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -111,51 +111,51 @@ suture::Errc decodeGalleryColumn(wire::GalleryStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kGalleryCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kGalleryCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Gallery>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Gallery::NewestParams>,
-     .result = suture::rpc::messageOf<wire::Gallery::NewestResults, PictureSlot,
-                                      encodeGalleryNewestResult, decodeGalleryNewestResult>,
-     .stamp = suture::rpc::stampIn<wire::Gallery::NewestResults>},
+     .sent = suture::codec::sentIn<wire::Gallery::NewestParams>,
+     .result = suture::codec::messageOf<wire::Gallery::NewestResults, PictureSlot,
+                                        encodeGalleryNewestResult, decodeGalleryNewestResult>,
+     .stamp = suture::codec::stampIn<wire::Gallery::NewestResults>},
     {.interface = capnp::typeId<wire::Gallery>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Gallery::OldestParams>,
-     .result = suture::rpc::messageOf<wire::Gallery::OldestResults, PictureSlot,
-                                      encodeGalleryOldestResult, decodeGalleryOldestResult>,
-     .stamp = suture::rpc::stampIn<wire::Gallery::OldestResults>},
+     .sent = suture::codec::sentIn<wire::Gallery::OldestParams>,
+     .result = suture::codec::messageOf<wire::Gallery::OldestResults, PictureSlot,
+                                        encodeGalleryOldestResult, decodeGalleryOldestResult>,
+     .stamp = suture::codec::stampIn<wire::Gallery::OldestResults>},
     {.interface = capnp::typeId<wire::Gallery>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Gallery::DimmedParams>,
-     .arguments = suture::rpc::messageOf<wire::Gallery::DimmedParams, GalleryDimmedArguments,
-                                         encodeGalleryDimmed, decodeGalleryDimmed>,
-     .result = suture::rpc::messageOf<wire::Gallery::DimmedResults, PictureSlot,
-                                      encodeGalleryDimmedResult, decodeGalleryDimmedResult>},
+     .sent = suture::codec::sentIn<wire::Gallery::DimmedParams>,
+     .arguments = suture::codec::messageOf<wire::Gallery::DimmedParams, GalleryDimmedArguments,
+                                           encodeGalleryDimmed, decodeGalleryDimmed>,
+     .result = suture::codec::messageOf<wire::Gallery::DimmedResults, PictureSlot,
+                                        encodeGalleryDimmedResult, decodeGalleryDimmedResult>},
     {.interface = capnp::typeId<wire::Gallery>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Gallery::HangParams>,
-     .arguments = suture::rpc::messageOf<wire::Gallery::HangParams, GalleryHangArguments,
-                                         encodeGalleryHang, decodeGalleryHang>},
+     .sent = suture::codec::sentIn<wire::Gallery::HangParams>,
+     .arguments = suture::codec::messageOf<wire::Gallery::HangParams, GalleryHangArguments,
+                                           encodeGalleryHang, decodeGalleryHang>},
 };
 
-constexpr suture::rpc::EventCodec kGalleryEventCodecs[] = {
+constexpr suture::codec::EventCodec kGalleryEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::GalleryEvents::HungParams>,
-     .payload = suture::rpc::messageOf<wire::GalleryEvents::HungParams, PictureSlot,
-                                       encodeGalleryHungEvent, decodeGalleryHungEvent>},
+     .stamp = suture::codec::stampIn<wire::GalleryEvents::HungParams>,
+     .payload = suture::codec::messageOf<wire::GalleryEvents::HungParams, PictureSlot,
+                                         encodeGalleryHungEvent, decodeGalleryHungEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& galleryCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Gallery>,
+const suture::codec::Codec& galleryCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Gallery>,
       .contract = capnp::typeId<wire::Gallery>(),
       .subscriber = capnp::typeId<wire::GalleryEvents>(),
       .commands = kGalleryCommandCodecs,
       .events = kGalleryEventCodecs,
-      .row = suture::rpc::rowOf<wire::GalleryEvents::StateParams, wire::GalleryStateRow,
-                                encodeGalleryColumn, decodeGalleryColumn>,
+      .row = suture::codec::rowOf<wire::GalleryEvents::StateParams, wire::GalleryStateRow,
+                                  encodeGalleryColumn, decodeGalleryColumn>,
   };
   return kCodec;
 }
@@ -166,12 +166,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const large_values::Picture& value) {
-  return rpc::encodeAs<large_values::wire::Picture, large_values::PictureSlot>(value);
+  return codec::encodeAs<large_values::wire::Picture, large_values::PictureSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, large_values::Picture& value) {
-  return rpc::decodeAs<large_values::wire::Picture, large_values::PictureSlot>(bytes, value);
+  return codec::decodeAs<large_values::wire::Picture, large_values::PictureSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -18,8 +18,8 @@ bool store(const std::int32_t& entries, CounterCountArguments& slot) {
 }
 
 // Defined in unit/shm/logbook.wire.cpp.
-const suture::rpc::Codec& counterCodec();
-const suture::rpc::Codec& logbookCodec();
+const suture::codec::Codec& counterCodec();
+const suture::codec::Codec& logbookCodec();
 
 namespace {
 

@@ -1,14 +1,14 @@
 // Written by suturec from unit/shm/logbook.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "unit/shm/logbook.capnp.h"
 #include "unit/shm/logbook.suture.h"
 
 namespace logs {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Counter as Cap'n Proto
 
@@ -60,31 +60,31 @@ suture::Errc decodeCounterColumn(wire::CounterStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kCounterCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kCounterCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Counter>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Counter::CountParams>,
-     .arguments = suture::rpc::messageOf<wire::Counter::CountParams, CounterCountArguments,
-                                         encodeCounterCount, decodeCounterCount>},
+     .sent = suture::codec::sentIn<wire::Counter::CountParams>,
+     .arguments = suture::codec::messageOf<wire::Counter::CountParams, CounterCountArguments,
+                                           encodeCounterCount, decodeCounterCount>},
     {.interface = capnp::typeId<wire::Counter>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Counter::EntriesParams>,
-     .result = suture::rpc::messageOf<wire::Counter::EntriesResults, std::int32_t,
-                                      encodeCounterEntriesResult, decodeCounterEntriesResult>,
-     .stamp = suture::rpc::stampIn<wire::Counter::EntriesResults>},
+     .sent = suture::codec::sentIn<wire::Counter::EntriesParams>,
+     .result = suture::codec::messageOf<wire::Counter::EntriesResults, std::int32_t,
+                                        encodeCounterEntriesResult, decodeCounterEntriesResult>,
+     .stamp = suture::codec::stampIn<wire::Counter::EntriesResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& counterCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Counter>,
+const suture::codec::Codec& counterCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Counter>,
       .contract = capnp::typeId<wire::Counter>(),
       .subscriber = capnp::typeId<wire::CounterEvents>(),
       .commands = kCounterCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::CounterEvents::StateParams, wire::CounterStateRow,
-                                encodeCounterColumn, decodeCounterColumn>,
+      .row = suture::codec::rowOf<wire::CounterEvents::StateParams, wire::CounterStateRow,
+                                  encodeCounterColumn, decodeCounterColumn>,
   };
   return kCodec;
 }
@@ -140,28 +140,28 @@ suture::Errc decodeLogbookColumn(wire::LogbookStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kLogbookCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kLogbookCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Logbook>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Logbook::TextParams>,
-     .result = suture::rpc::messageOf<wire::Logbook::TextResults, suture::OpenText,
-                                      encodeLogbookTextResult, decodeLogbookTextResult>,
-     .stamp = suture::rpc::stampIn<wire::Logbook::TextResults>},
+     .sent = suture::codec::sentIn<wire::Logbook::TextParams>,
+     .result = suture::codec::messageOf<wire::Logbook::TextResults, suture::OpenText,
+                                        encodeLogbookTextResult, decodeLogbookTextResult>,
+     .stamp = suture::codec::stampIn<wire::Logbook::TextResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& logbookCodec() {
+const suture::codec::Codec& logbookCodec() {
   static const auto kCommands = suture::extended<3>(
       suture::interfaceInfo<logs::Counter>().codec().commands, kLogbookCommandCodecs);
-  static const suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Logbook>,
+  static const suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Logbook>,
       .contract = capnp::typeId<wire::Logbook>(),
       .subscriber = capnp::typeId<wire::LogbookEvents>(),
       .commands = kCommands,
       .events = {},
-      .row = suture::rpc::rowOf<wire::LogbookEvents::StateParams, wire::LogbookStateRow,
-                                encodeLogbookColumn, decodeLogbookColumn>,
+      .row = suture::codec::rowOf<wire::LogbookEvents::StateParams, wire::LogbookStateRow,
+                                  encodeLogbookColumn, decodeLogbookColumn>,
   };
   return kCodec;
 }

@@ -24,7 +24,7 @@ inline constexpr const char* kOwnName = "suture";
 struct Options {
   std::string manager;                ///< address of the global manager, or of several
   std::string keys;                   ///< folder with its own; "": none
-  rpc::Trust trust;                   ///< those keys
+  net::Trust trust;                   ///< those keys
   bool json = false;                  ///< for programs: JSON on standard output, errors too
   Duration patience{0};               ///< for each step
   std::string target;                 ///< the subject of the verb: "process:component/interface"

@@ -1,9 +1,9 @@
 #include "cli/contract/contract.h"
 #include <suture/base/errors.h>
 #include <suture/base/nearest.h>
+#include <suture/codec/json/annotations.h>
+#include <suture/codec/json/to_json.h>
 #include <suture/names/records.h>
-#include <suture/wire/json/annotations.h>
-#include <suture/wire/json/to_json.h>
 #include "cli/contract/schema_guard.h"
 
 #include <algorithm>
@@ -22,7 +22,9 @@ const Member* findIn(const std::vector<Member>& members, const std::string& name
 
 /// Throws kj::Exception if any part of it cannot be read. Cap'n Proto 0.9.2, loading a node with
 /// such a part, reads it again to name it in its error, and never ends.
-void readOnce(wire::Explanation::Reader explanation) { toJson(explanation, Labels::Names); }
+void readOnce(wire::Explanation::Reader explanation) {
+  codec::toJson(explanation, codec::Labels::Names);
+}
 
 }  // namespace
 
@@ -38,12 +40,12 @@ Contract::Contract(std::string title, wire::Explanation::Reader explanation)
 }
 
 void Contract::takeTexts(wire::Explanation::Reader explanation) {
-  descriptionText_ = stringOf(explanation.getDescription());
+  descriptionText_ = codec::stringOf(explanation.getDescription());
   description_ = parsePeers(descriptionText_);
   if (!description_.is_object()) {
     throw SetupError("understand " + title_, "its description is not one", kDistrust);
   }
-  for (const auto base : explanation.getBases()) baseTexts_.push_back(stringOf(base));
+  for (const auto base : explanation.getBases()) baseTexts_.push_back(codec::stringOf(base));
 }
 
 void Contract::refuseSchema(const std::string& fault) const {
@@ -54,7 +56,7 @@ void Contract::loadSchema(wire::Explanation::Reader explanation) {
   if (const auto fault = faultIn(explanation.getNodes())) refuseSchema(*fault);
   for (const auto node : explanation.getNodes()) loader_.load(node);
   interface_ = loader_.get(explanation.getContract()).asInterface();
-  eventsInterface_ = eventsOf(interface_);
+  eventsInterface_ = codec::eventsOf(interface_);
   commands_ = membersOf("commands", interface_);
   events_ = membersOf("events", eventsInterface_);
 }
@@ -63,10 +65,11 @@ std::vector<Member> Contract::membersOf(const char* list, capnp::InterfaceSchema
   std::vector<Member> members;
   for (const Json& one : listAt(description_, list)) {
     const std::string name = textAt(one, "name"), wire = textAt(one, "wire");
-    members.push_back({.name = name,
-                       .kind = textAt(one, "kind"),
-                       .description = one,
-                       .method = schema.getMethodByName(textOf(wire.empty() ? name : wire))});
+    members.push_back(
+        {.name = name,
+         .kind = textAt(one, "kind"),
+         .description = one,
+         .method = schema.getMethodByName(codec::textOf(wire.empty() ? name : wire))});
   }
   return members;
 }

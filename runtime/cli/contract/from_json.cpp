@@ -1,10 +1,10 @@
 #include "cli/contract/from_json.h"
 #include <suture/base/nearest.h>
-#include <suture/wire/json/annotations.h>
-#include <suture/wire/json/json_integers.h>
-#include <suture/wire/json/json_reals.h>
-#include <suture/wire/json/optional_value.h>
-#include <suture/wire/json/packed_numbers.h>
+#include <suture/codec/json/annotations.h>
+#include <suture/codec/json/json_integers.h>
+#include <suture/codec/json/json_reals.h>
+#include <suture/codec/json/optional_value.h>
+#include <suture/codec/json/packed_numbers.h>
 #include "cli/command_line/options.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::string shown(const Json& json) {
 }
 
 bool isOurs(capnp::StructSchema::Field field) {
-  return isSent(field) || field.getType().isInterface() || isRemoved(field);
+  return codec::isSent(field) || field.getType().isInterface() || codec::isRemoved(field);
 }
 
 /// A FieldPlace is a field of a struct, to be set.
@@ -43,7 +43,7 @@ struct FieldPlace {
   capnp::StructSchema::Field field;
 
   Type type() const { return field.getType(); }
-  std::string bulk() const { return bulkOf(field); }
+  std::string bulk() const { return codec::bulkOf(field); }
   void set(const capnp::DynamicValue::Reader& value) { owner.set(field, value); }
   auto initStruct() { return owner.init(field).as<capnp::DynamicStruct>(); }
   auto initList(unsigned size) { return owner.init(field, size).as<capnp::DynamicList>(); }
@@ -63,7 +63,7 @@ struct ElementPlace {
 
 template <class Integer, class Place>
 void setInteger(Place place, const Json& json, const std::string& path) {
-  const auto value = integerOf<Integer>(json);
+  const auto value = codec::integerOf<Integer>(json);
   if (!value) {
     using Limits = std::numeric_limits<Integer>;
     refuse(path, "it is " + shown(json),
@@ -75,7 +75,7 @@ void setInteger(Place place, const Json& json, const std::string& path) {
 
 template <class Real, class Place>
 void setReal(Place place, const Json& json, const std::string& path) {
-  const auto value = realOf<Real>(json);
+  const auto value = codec::realOf<Real>(json);
   if (!value && json.is_number()) {
     refuse(path, "it is " + shown(json), "Give a number that a Float32 can hold");
   }
@@ -94,7 +94,7 @@ template <class Place>
 void setData(Place place, const Json& json, const std::string& path) {
   std::vector<std::uint8_t> bytes;
   try {
-    bytes = bytesOf(json, place.bulk());
+    bytes = codec::bytesOf(json, place.bulk());
   } catch (const std::exception&) {
     const std::string kind = place.bulk().empty() ? "UInt8" : place.bulk();
     refuse(path, "it is " + shown(json), "Give a list of numbers, each a " + kind);
@@ -106,7 +106,7 @@ template <class Place>
 void setEnum(Place place, const Json& json, const std::string& path) {
   std::vector<std::string> names;
   for (const auto value : place.type().asEnum().getEnumerants()) {
-    names.push_back(nameOf(value));
+    names.push_back(codec::nameOf(value));
     if (json == names.back()) return place.set(capnp::DynamicEnum(value));
   }
   refuse(path, "it is " + shown(json), "Give one of " + listNames(names));
@@ -175,7 +175,7 @@ capnp::StructSchema::Field alternativeIn(const Json& json,
   std::vector<std::string> names;
   std::vector<capnp::StructSchema::Field> given;
   for (const auto field : all) {
-    names.push_back(nameOf(field));
+    names.push_back(codec::nameOf(field));
     if (json.contains(names.back())) given.push_back(field);
   }
   if (given.size() != 1) {
@@ -188,7 +188,7 @@ capnp::StructSchema::Field alternativeIn(const Json& json,
 /// Returns the type of an optional value instead of that of the option.
 Type withoutOption(Type type) {
   if (!type.isStruct()) return type;
-  const auto some = optionalIn(type.asStruct());
+  const auto some = codec::optionalIn(type.asStruct());
   return some ? some->getType() : type;
 }
 
@@ -197,7 +197,7 @@ std::optional<Type> typeOf(Type owner, const std::string& name) {
   if (owner.isList()) return owner.asList().getElementType();
   if (!owner.isStruct()) return std::nullopt;
   for (const auto field : owner.asStruct().getFields()) {
-    if (nameOf(field) == name) return field.getType();
+    if (codec::nameOf(field) == name) return field.getType();
   }
   return std::nullopt;
 }
@@ -217,7 +217,7 @@ bool leadsToText(capnp::StructSchema schema, std::string_view path, const Json& 
 
 void fill(capnp::DynamicStruct::Builder out, const Json& json, const std::string& path) {
   const capnp::StructSchema schema = out.getSchema();
-  if (const auto some = optionalIn(schema)) {
+  if (const auto some = codec::optionalIn(schema)) {
     if (json.is_null()) return out.set("none", capnp::VOID);
     return setValue(FieldPlace{out, *some}, json, path);
   }
@@ -225,12 +225,12 @@ void fill(capnp::DynamicStruct::Builder out, const Json& json, const std::string
   auto fields = wanted(schema.getNonUnionFields());
   const auto alternatives = wanted(schema.getUnionFields());
   std::vector<std::string> names;
-  for (const auto field : fields) names.push_back(nameOf(field));
-  for (const auto field : alternatives) names.push_back(nameOf(field));
+  for (const auto field : fields) names.push_back(codec::nameOf(field));
+  for (const auto field : alternatives) names.push_back(codec::nameOf(field));
   requireKnown(json, names, path);
   if (!alternatives.empty()) fields.push_back(alternativeIn(json, alternatives, path));
   for (const auto field : fields) {
-    const std::string name = nameOf(field);
+    const std::string name = codec::nameOf(field);
     if (!json.contains(name)) {
       refuse(under(path, name), "it is not given",
              (names.size() > 1 ? "Give all of " : "Give ") + listNames(names) +

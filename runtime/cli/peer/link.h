@@ -12,17 +12,17 @@
 namespace suture::cli {
 
 /// Throws SetupError unless something listens there, with what was found and what to do.
-void knock(rpc::EventPort& loop, const rpc::Address& address, Duration limit);
+void knock(loop::EventPort& loop, const net::Address& address, Duration limit);
 
 /// This is a link with what proves who is at its other end.
 struct Reached {
-  kj::Own<rpc::Link> link;
+  kj::Own<framing::Link> link;
   std::string certificatesEnd;  ///< as ByteStream has it
 };
 
 /// Returns a link to the process `expected`, with proof that it is that one if the address asks for
 /// it. Throws as knock() does.
-Reached reach(rpc::EventPort& loop, const rpc::Address& address, const rpc::Trust& trust,
+Reached reach(loop::EventPort& loop, const net::Address& address, const net::Trust& trust,
               const std::string& expected, Duration limit);
 
 }  // namespace suture::cli

@@ -23,7 +23,7 @@ const Record* findIn(const std::vector<Record>& records, const std::string& name
 
 }  // namespace
 
-Peer meet(rpc::EventPort& loop, const Options& options, const std::string& process) {
+Peer meet(loop::EventPort& loop, const Options& options, const std::string& process) {
   Names names(loop, options);
   Peer peer(loop, names.process(process), names.address(), options);
   peer.dial();

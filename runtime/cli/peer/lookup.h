@@ -10,7 +10,7 @@
 namespace suture::cli {
 
 /// Finds the process, links to it and greets. Throws SetupError.
-Peer meet(rpc::EventPort& loop, const Options& options, const std::string& process);
+Peer meet(loop::EventPort& loop, const Options& options, const std::string& process);
 
 /// Throws SetupError with the components that there are.
 ComponentRecord findComponent(Peer& peer, const Target& target);

@@ -10,15 +10,15 @@
 namespace suture::cli {
 namespace {
 
-std::vector<rpc::Address> addressesOf(const std::string& text) {
+std::vector<net::Address> addressesOf(const std::string& text) {
   try {
-    return rpc::parseAddresses(text);
+    return net::parseAddresses(text);
   } catch (const SetupError& error) {
     throw UsageError(error.what());
   }
 }
 
-bool somebodyListens(rpc::EventPort& loop, const rpc::Address& address, Duration patience) {
+bool somebodyListens(loop::EventPort& loop, const net::Address& address, Duration patience) {
   try {
     cli::knock(loop, address, patience);
     return true;
@@ -28,9 +28,9 @@ bool somebodyListens(rpc::EventPort& loop, const rpc::Address& address, Duration
 }
 
 /// Where nobody listens, says also how to start a manager there.
-kj::Own<rpc::Link> reachManager(rpc::EventPort& loop, const rpc::Address& address,
-                                const Options& options) {
-  rpc::requireKeys(address, options.trust);  // no manager helps where we have none
+kj::Own<framing::Link> reachManager(loop::EventPort& loop, const net::Address& address,
+                                    const Options& options) {
+  net::requireKeys(address, options.trust);  // no manager helps where we have none
   try {
     return cli::reach(loop, address, options.trust, tls::kManagerName, options.patience).link;
   } catch (const SetupError& error) {
@@ -42,13 +42,13 @@ kj::Own<rpc::Link> reachManager(rpc::EventPort& loop, const rpc::Address& addres
 
 }  // namespace
 
-Names::Names(rpc::EventPort& loop, const Options& options)
+Names::Names(loop::EventPort& loop, const Options& options)
     : loop_(loop), patience_(options.patience), manager_(openFirst(loop, options)) {}
 
 // Each manager that lives knows all processes. If none lives, throws what was found at the first.
-Names::Manager Names::openFirst(rpc::EventPort& loop, const Options& options) {
+Names::Manager Names::openFirst(loop::EventPort& loop, const Options& options) {
   std::exception_ptr why;
-  for (const rpc::Address& address : addressesOf(options.manager)) {
+  for (const net::Address& address : addressesOf(options.manager)) {
     try {
       return open(loop, address, options);
     } catch (const SetupError&) {
@@ -58,7 +58,7 @@ Names::Manager Names::openFirst(rpc::EventPort& loop, const Options& options) {
   std::rethrow_exception(why);
 }
 
-Names::Manager Names::open(rpc::EventPort& loop, const rpc::Address& address,
+Names::Manager Names::open(loop::EventPort& loop, const net::Address& address,
                            const Options& options) {
   auto link = reachManager(loop, address, options);
   auto greeted = greet(link->bootstrap<wire::GlobalManager>(), kOwnName, address);
@@ -72,7 +72,7 @@ std::vector<ProcessRecord> Names::processes() {
 
 ProcessRecord Names::process(const std::string& name) {
   auto request = manager_.session.resolveRequest();
-  request.setProcess(textOf(name));
+  request.setProcess(codec::textOf(name));
   auto answer = request.send().then([](auto&& results) -> kj::Promise<ProcessRecord> {
     if (results.isRefused()) return refused(results.getRefused());
     return fromWire(results.getFound());

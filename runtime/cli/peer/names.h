@@ -14,26 +14,26 @@ namespace suture::cli {
 /// if it, or what is asked for, is not there.
 class Names {
  public:
-  Names(rpc::EventPort& loop, const Options& options);
+  Names(loop::EventPort& loop, const Options& options);
 
   std::vector<ProcessRecord> processes();
   ProcessRecord process(const std::string& name);
   /// Returns true if the network is that of tls:// addresses.
-  bool leadsToTls() const { return manager_.address.kind == rpc::Address::Kind::Tls; }
+  bool leadsToTls() const { return manager_.address.kind == net::Address::Kind::Tls; }
   /// Returns the address of the manager that answers.
-  const rpc::Address& address() const { return manager_.address; }
+  const net::Address& address() const { return manager_.address; }
 
  private:
   struct Manager {
-    rpc::Address address;
-    kj::Own<rpc::Link> link;
+    net::Address address;
+    kj::Own<framing::Link> link;
     wire::Session::Client session;
   };
 
-  static Manager open(rpc::EventPort& loop, const rpc::Address& address, const Options& options);
-  static Manager openFirst(rpc::EventPort& loop, const Options& options);
+  static Manager open(loop::EventPort& loop, const net::Address& address, const Options& options);
+  static Manager openFirst(loop::EventPort& loop, const Options& options);
 
-  rpc::EventPort& loop_;
+  loop::EventPort& loop_;
   const Duration patience_;
   Manager manager_;
 };

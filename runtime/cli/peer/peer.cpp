@@ -1,8 +1,8 @@
 #include "cli/peer/peer.h"
+#include <suture/codec/stamps.h>
 #include <suture/names/peer_address.h>
 #include <suture/session/boot_id.h>
 #include <suture/session/client/sessions.h>
-#include <suture/wire/stamps.h>
 #include "cli/peer/wait.h"
 
 namespace suture::cli {
@@ -11,14 +11,14 @@ namespace {
 /// Returns a better failure if the peer is older than a question and so does not know it.
 kj::Exception orTooOld(kj::Exception&& failure, const std::string& process) {
   if (failure.getType() != kj::Exception::Type::UNIMPLEMENTED) return kj::mv(failure);
-  return rpc::failure(kj::Exception::Type::FAILED,
-                      "ask process '" + process +
-                          "' what it is: its Suture is older than that question. Rebuild it.");
+  return loop::failure(kj::Exception::Type::FAILED,
+                       "ask process '" + process +
+                           "' what it is: its Suture is older than that question. Rebuild it.");
 }
 
 }  // namespace
 
-Peer::Peer(rpc::EventPort& loop, ProcessRecord process, const rpc::Address& manager,
+Peer::Peer(loop::EventPort& loop, ProcessRecord process, const net::Address& manager,
            const Options& options)
     : loop_(loop),
       process_(std::move(process)),
@@ -39,10 +39,10 @@ void Peer::greet() {
   auto request = peer_.helloRequest();
   request.setVersion(wire::PROTOCOL_VERSION);
   request.setProcess(kOwnName);
-  request.setBootId(textOf(bootId()));
+  request.setBootId(codec::textOf(bootId()));
   auto answer = request.send().then([this, asked = now()](auto&& results) -> kj::Promise<void> {
     if (results.isRefused()) return refused(results.getRefused());
-    const bool oneClock = stringOf(results.getBootId()) == bootId();
+    const bool oneClock = codec::stringOf(results.getBootId()) == bootId();
     clock_ = oneClock ? ClockOffset::none() : ClockOffset();
     if (!oneClock) clock_.add(asked, results.getReceived(), results.getSent(), now());
     return kj::READY_NOW;
@@ -56,11 +56,11 @@ Description Peer::describe() {
     if (!results.hasConnections()) return found;
     found.connections.emplace();
     for (const auto one : results.getConnections()) {
-      found.connections->push_back({.component = stringOf(one.getComponent()),
-                                    .required = stringOf(one.getRequired()),
-                                    .provided = stringOf(one.getProvided()),
-                                    .lane = stringOf(one.getLane()),
-                                    .status = stringOf(one.getStatus()),
+      found.connections->push_back({.component = codec::stringOf(one.getComponent()),
+                                    .required = codec::stringOf(one.getRequired()),
+                                    .provided = codec::stringOf(one.getProvided()),
+                                    .lane = codec::stringOf(one.getLane()),
+                                    .status = codec::stringOf(one.getStatus()),
                                     .age = now() - here(one.getSince()),
                                     .awaitsOperator = one.getAwaitsOperator()});
     }
@@ -71,7 +71,7 @@ Description Peer::describe() {
 
 Cycle Peer::cycleOf(const std::string& component) {
   auto request = peer_.pingRequest();
-  request.initComponents(1).set(0, textOf(component));
+  request.initComponents(1).set(0, codec::textOf(component));
   auto answer = request.send().then([](auto&& results) {
     const auto tasks = results.getTasks();
     if (tasks.size() == 0) return Cycle{};
@@ -83,17 +83,17 @@ Cycle Peer::cycleOf(const std::string& component) {
 
 // A refusal is an answer too, and onDisconnect() tells that the link has ended.
 kj::Promise<void> Peer::whenSilent() {
-  return loop_.getTimer().afterDelay(rpc::toKj(patience_)).then([this] {
+  return loop_.getTimer().afterDelay(loop::toKj(patience_)).then([this] {
     auto answer = peer_.pingRequest().send().ignoreResult().catch_([](kj::Exception&&) {});
-    return rpc::within(loop_.getTimer(), patience_, kj::mv(answer), noAnswerOf(process_.name))
+    return loop::within(loop_.getTimer(), patience_, kj::mv(answer), noAnswerOf(process_.name))
         .then([this] { return whenSilent(); });
   });
 }
 
 std::shared_ptr<const Contract> Peer::explain(const Target& target, wire::Peer::Side side) {
   auto request = peer_.explainRequest();
-  request.setComponent(textOf(target.component));
-  request.setInterface(textOf(target.interface));
+  request.setComponent(codec::textOf(target.component));
+  request.setInterface(codec::textOf(target.interface));
   request.setSide(side);
   auto answer = request.send().then(
       [&target](auto&& results) -> kj::Promise<std::shared_ptr<const Contract>> {
@@ -108,8 +108,8 @@ std::shared_ptr<const Contract> Peer::explain(const Target& target, wire::Peer::
 
 capnp::DynamicCapability::Client Peer::open(const Target& target, const Contract& contract) {
   auto request = peer_.openRequest();
-  request.setComponent(textOf(target.component));
-  request.setInterface(textOf(target.interface));
+  request.setComponent(codec::textOf(target.component));
+  request.setInterface(codec::textOf(target.interface));
   using Opened = capnp::DynamicCapability::Client;
   auto answer = request.send().then([&contract](auto&& results) -> kj::Promise<Opened> {
     if (results.isRefused()) return refused(results.getRefused());
@@ -119,7 +119,7 @@ capnp::DynamicCapability::Client Peer::open(const Target& target, const Contract
 }
 
 Time Peer::here(std::int64_t stamp) const {
-  return Time(Duration(rpc::shifted(stamp, -clock_.offset())));
+  return Time(Duration(codec::shifted(stamp, -clock_.offset())));
 }
 
 }  // namespace suture::cli

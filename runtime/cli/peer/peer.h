@@ -46,12 +46,12 @@ struct Cycle {
 class Peer {
  public:
   /// `manager` is the address of the one that knows the process.
-  Peer(rpc::EventPort& loop, ProcessRecord process, const rpc::Address& manager,
+  Peer(loop::EventPort& loop, ProcessRecord process, const net::Address& manager,
        const Options& options);
 
   const ProcessRecord& process() const { return process_; }
   /// Returns the address at which it is dialled.
-  const rpc::Address& address() const { return address_; }
+  const net::Address& address() const { return address_; }
 
   /// Makes sure that something listens there.
   void knock();
@@ -80,12 +80,12 @@ class Peer {
   kj::Promise<void> onDisconnect() { return link_->onDisconnect(); }
 
  private:
-  rpc::EventPort& loop_;
+  loop::EventPort& loop_;
   const ProcessRecord process_;
   const Duration patience_;
-  const rpc::Trust trust_;
-  const rpc::Address address_;
-  kj::Own<rpc::Link> link_;
+  const net::Trust trust_;
+  const net::Address address_;
+  kj::Own<framing::Link> link_;
   std::string certificatesEnd_;
   wire::Peer::Client peer_ = nullptr;
   ClockOffset clock_;

@@ -1,7 +1,7 @@
 #include "cli/peer/provider.h"
 #include <suture/base/errors.h>
+#include <suture/codec/json/annotations.h>
 #include <suture/framing/remote_error.h>
-#include <suture/wire/json/annotations.h>
 #include "cli/contract/from_json.h"
 #include "cli/contract/limits.h"
 #include "cli/peer/lookup.h"
@@ -27,7 +27,7 @@ std::string remedyFor(Errc error, const Target& target) {
 
 class Receiver final : public capnp::DynamicCapability::Server {
  public:
-  Receiver(std::shared_ptr<const Contract> contract, Labels labels, Provider::Heard heard)
+  Receiver(std::shared_ptr<const Contract> contract, codec::Labels labels, Provider::Heard heard)
       : Server(contract->eventsInterface()),
         contract_(std::move(contract)),
         labels_(labels),
@@ -38,20 +38,20 @@ class Receiver final : public capnp::DynamicCapability::Server {
       capnp::CallContext<capnp::DynamicStruct, capnp::DynamicStruct> context) override {
     for (const Member& event : contract_->events()) {
       if (event.method != method) continue;
-      heard_(event, payloadToJson(context.getParams(), labels_));
+      heard_(event, codec::payloadToJson(context.getParams(), labels_));
     }
     return kj::READY_NOW;
   }
 
  private:
   const std::shared_ptr<const Contract> contract_;
-  const Labels labels_;
+  const codec::Labels labels_;
   const Provider::Heard heard_;
 };
 
 }  // namespace
 
-Provider::Provider(rpc::EventPort& loop, const Options& options, const Target& target)
+Provider::Provider(loop::EventPort& loop, const Options& options, const Target& target)
     : loop_(loop),
       patience_(options.patience),
       component_(target.component),
@@ -59,32 +59,35 @@ Provider::Provider(rpc::EventPort& loop, const Options& options, const Target& t
       contract_(peer_.explain(target, wire::Peer::Side::PROVIDED)),
       capability_(peer_.open(target, *contract_)) {}
 
-Answer Provider::call(const Member& command, const Json& arguments, Labels labels) {
+Answer Provider::call(const Member& command, const Json& arguments, codec::Labels labels) {
   return wait(loop_, start(command, arguments, labels));
 }
 
-kj::Promise<Answer> Provider::start(const Member& command, const Json& arguments, Labels labels) {
+kj::Promise<Answer> Provider::start(const Member& command, const Json& arguments,
+                                    codec::Labels labels) {
   auto request = capability_.newRequest(command.method);
   fill(request, arguments, "");
   for (const auto field : request.getSchema().getFields()) {
-    if (isSent(field)) request.init(field).as<capnp::DynamicStruct>().set("answer", true);
+    if (codec::isSent(field)) request.init(field).as<capnp::DynamicStruct>().set("answer", true);
   }
   const std::string title = "call " + command.name + " of " + contract_->title();
   const Target target = Target::parse(contract_->title());
   auto answer = request.send().then(
       [this, labels](auto&& results) -> kj::Promise<Answer> {
-        return Answer{payloadToJson(results, labels), ageIn(results), peer_.clock().error(now())};
+        return Answer{codec::payloadToJson(results, labels), ageIn(results),
+                      peer_.clock().error(now())};
       },
       [this, title, target, arguments, &command](kj::Exception&& failure) -> kj::Promise<Answer> {
-        const Errc error = rpc::errcOf(failure);
+        const Errc error = framing::errcOf(failure);
         const std::string beyond = beyondLimit(*contract_, command, arguments, error);
-        const std::string found = rpc::reasonOf(failure) + (beyond.empty() ? "" : "; " + beyond);
-        return rpc::failure(kj::Exception::Type::FAILED,
-                            SetupError(title, found, remedyFor(error, target)).what());
+        const std::string found =
+            framing::reasonOf(failure) + (beyond.empty() ? "" : "; " + beyond);
+        return loop::failure(kj::Exception::Type::FAILED,
+                             SetupError(title, found, remedyFor(error, target)).what());
       });
-  return rpc::within(loop_.getTimer(), patience_, kj::mv(answer),
-                     title + ": no answer in time; whether it ran is not known. `suture doctor " +
-                         contract_->title() + "` looks for the reason.");
+  return loop::within(loop_.getTimer(), patience_, kj::mv(answer),
+                      title + ": no answer in time; whether it ran is not known. `suture doctor " +
+                          contract_->title() + "` looks for the reason.");
 }
 
 std::optional<Duration> Provider::ageIn(capnp::DynamicStruct::Reader results) const {
@@ -94,12 +97,12 @@ std::optional<Duration> Provider::ageIn(capnp::DynamicStruct::Reader results) co
   return std::nullopt;
 }
 
-kj::Promise<void> Provider::subscribe(std::uint64_t events, Labels labels, Heard heard) {
+kj::Promise<void> Provider::subscribe(std::uint64_t events, codec::Labels labels, Heard heard) {
   auto request = capability_.newRequest("subscribe");
   request.set("events", capnp::DynamicCapability::Client(
                             kj::heap<Receiver>(contract_, labels, std::move(heard))));
   request.set("eventMask", events);
-  return rpc::within(
+  return loop::within(
       loop_.getTimer(), patience_, request.send().ignoreResult(),
       "subscribe to events of " + contract_->title() + ": no answer. Look at what it is doing.");
 }
@@ -115,8 +118,8 @@ void Provider::awaitCycleEnd() {
 
 kj::Promise<void> Provider::whenGone() {
   return peer_.onDisconnect().then([this]() -> kj::Promise<void> {
-    return rpc::disconnected("watch " + contract_->title() + ": process '" + peer_.process().name +
-                             "' is gone. Start it again.");
+    return loop::disconnected("watch " + contract_->title() + ": process '" + peer_.process().name +
+                              "' is gone. Start it again.");
   });
 }
 

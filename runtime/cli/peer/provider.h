@@ -2,9 +2,10 @@
 // This is a provided interface, used by a program that has learnt its contract from it.
 
 #include <capnp/dynamic.h>
-#include <suture/wire/json/to_json.h>
+#include <suture/codec/json/to_json.h>
 #include "cli/command_line/options.h"
 #include "cli/peer/peer.h"
+#include "cli/values/json.h"
 
 #include <functional>
 #include <memory>
@@ -26,17 +27,17 @@ class Provider {
  public:
   using Heard = std::function<void(const Member& event, const Json& value)>;
 
-  Provider(rpc::EventPort& loop, const Options& options, const Target& target);
+  Provider(loop::EventPort& loop, const Options& options, const Target& target);
 
   const Contract& contract() const { return *contract_; }
 
   /// Runs a command and waits for its end. Throws UsageError if the arguments do not fit it.
-  Answer call(const Member& command, const Json& arguments, Labels labels);
+  Answer call(const Member& command, const Json& arguments, codec::Labels labels);
   /// Does the same without waiting. Rejects where there is no answer in time.
-  kj::Promise<Answer> start(const Member& command, const Json& arguments, Labels labels);
+  kj::Promise<Answer> start(const Member& command, const Json& arguments, codec::Labels labels);
   /// Asks for events, bit i for the contract's event i. `heard` is called as they arrive; while it
   /// works, the provider keeps what follows. Resolves when the provider has agreed, or rejects.
-  kj::Promise<void> subscribe(std::uint64_t events, Labels labels, Heard heard);
+  kj::Promise<void> subscribe(std::uint64_t events, codec::Labels labels, Heard heard);
   /// Returns when the cycle is over in which the component answered last, but not later than the
   /// patience: so it has emitted what that cycle had to say.
   void awaitCycleEnd();
@@ -51,7 +52,7 @@ class Provider {
  private:
   std::optional<Duration> ageIn(capnp::DynamicStruct::Reader results) const;
 
-  rpc::EventPort& loop_;
+  loop::EventPort& loop_;
   const Duration patience_;
   const std::string component_;
   Peer peer_;

@@ -151,7 +151,7 @@ std::string knownTo(Duration error) {
 }
 
 void print(const std::string& text) {
-  if (!writeOut(text)) throw ReaderGone("nobody reads standard output");
+  if (!loop::writeOut(text)) throw ReaderGone("nobody reads standard output");
 }
 
 void printJson(const Json& json) {

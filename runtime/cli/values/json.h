@@ -1,12 +1,14 @@
 #pragma once
 // These read JSON that a peer wrote.
 
-#include <suture/wire/json/json.h>
+#include <suture/codec/json/json.h>
 
 #include <string>
 #include <string_view>
 
 namespace suture::cli {
+
+using codec::Json;
 
 /// Returns the text of `key`, or "", because a peer may have written anything.
 inline std::string textAt(const Json& json, const char* key) {

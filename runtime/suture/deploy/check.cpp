@@ -43,9 +43,9 @@ std::string counted(std::size_t number, const char* one, const char* several) {
 }
 
 /// Returns none if they are no addresses, of which the deployment has told.
-std::vector<rpc::Address> managersOf(const Deployment& deployment) {
+std::vector<net::Address> managersOf(const Deployment& deployment) {
   try {
-    return rpc::parseAddresses(deployment.manager());
+    return net::parseAddresses(deployment.manager());
   } catch (const SetupError&) {
     return {};
   }
@@ -94,10 +94,10 @@ class Check {
  private:
   /// Judges where the process would listen.
   void judgeAddress(const ProcessEntry& process) {
-    for (const rpc::Address& manager : managersOf(deployment_)) {
-      if (manager.kind != rpc::Address::Kind::Unix) continue;
+    for (const net::Address& manager : managersOf(deployment_)) {
+      if (manager.kind != net::Address::Kind::Unix) continue;
       try {
-        (void)rpc::SocketAddress(longestPeerAddress(manager, process.name));
+        (void)net::SocketAddress(longestPeerAddress(manager, process.name));
       } catch (const SetupError& error) {
         add({deployment_.document().locate(process.pointer + "/name", error.what())});
       }

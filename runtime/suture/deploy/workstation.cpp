@@ -97,7 +97,7 @@ std::string nearestOption(const CLI::App& app, const std::string& word) {
 /// Returns the exit status, which a reader that has gone does not change.
 int print(const std::string& text) {
   try {
-    writeOut(text);
+    loop::writeOut(text);
     return 0;
   } catch (const SetupError& lost) {
     std::fprintf(stderr, "%s\n", lost.what());
@@ -126,7 +126,7 @@ std::optional<int> read(CLI::App& app, Options& options, int argc, const char* c
 /// Runs one host to its end and reports what happens.
 class Run {
  public:
-  Run(Host& host, const SignalWait& signals, const Options& options)
+  Run(Host& host, const loop::SignalWait& signals, const Options& options)
       : host_(host),
         signals_(signals),
         reports_(descriptorIn(options.reportTo).value_or(-1), options.reportForm == "text"
@@ -234,7 +234,7 @@ class Run {
   }
 
   Host& host_;
-  const SignalWait& signals_;
+  const loop::SignalWait& signals_;
   ReportWriter reports_;
   const bool toldByReports_;
   const Duration interval_;
@@ -256,10 +256,10 @@ std::string processOf(const Deployment& deployment, const Options& options) {
 
 /// Returns false if the process has been told to end meanwhile: the caller must stop what has been
 /// started.
-bool start(Host& host, const SignalWait& signals) {
+bool start(Host& host, const loop::SignalWait& signals) {
   std::atomic<bool> toEnd{false};
   {
-    const OnToldToEnd told(signals, [&] {
+    const loop::OnToldToEnd told(signals, [&] {
       toEnd = true;
       host.giveUp();
     });
@@ -289,9 +289,9 @@ int check(const Options& options, std::span<const ComponentClass> classes,
 
 int runWorkstation(const Options& options, std::span<const ComponentClass> classes,
                    const AddedLanes& added) {
-  allowAllDescriptors();
-  const SignalWait signals;
-  auto told = std::make_optional<OnToldToEnd>(signals, [] { _exit(0); });  // nothing runs yet
+  loop::allowAllDescriptors();
+  const loop::SignalWait signals;
+  auto told = std::make_optional<loop::OnToldToEnd>(signals, [] { _exit(0); });  // nothing runs yet
   const Deployment deployment(JsonDocument::read(options.deployment));
   Host host(deployment, processOf(deployment, options), classes);
   // Without a manager nothing travels, and a process has no lanes.
@@ -314,7 +314,7 @@ int workstationMain(int argc, const char* const* argv, std::span<const Component
   CLI::App app("Runs one process of a deployment.");
   declare(app, options);
   if (const std::optional<int> status = read(app, options, argc, argv)) return *status;
-  openStandardDescriptors();  // --report-fd has been refused one that was closed
+  loop::openStandardDescriptors();  // --report-fd has been refused one that was closed
   try {
     return options.check ? check(options, classes, added) : runWorkstation(options, classes, added);
   } catch (const std::exception& error) {

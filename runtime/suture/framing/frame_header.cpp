@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace suture::rpc {
+namespace suture::framing {
 namespace {
 
 constexpr std::size_t kWord = 8;
@@ -68,4 +68,4 @@ const char* toString(FrameFault fault) {
   return "unknown fault";
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// Bounds what a peer may make us read and hold, and how long it may keep us waiting.
 struct StreamLimits {
@@ -73,4 +73,4 @@ inline constexpr const char* kFinishedNothing =
     "see what the process at the other end says and does: it began a message, and has not finished "
     "it for seconds. It hangs, has been stopped, or the network between the two is cut";
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -1,6 +1,6 @@
 #include <suture/framing/link.h>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 Link::Link(kj::Own<MessageStream> stream, capnp::rpc::twoparty::Side side,
            kj::Maybe<capnp::Capability::Client> offers)
@@ -13,4 +13,4 @@ capnp::Capability::Client Link::bootstrapCapability() {
   return system_.bootstrap(peer);
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// Belongs to the control thread. A Link is a stream with an RPC system on it. Destroying it closes
 /// it, and breaks every capability that came through it (DISCONNECTED).
@@ -38,4 +38,4 @@ class Link {
   capnp::RpcSystem<capnp::rpc::twoparty::VatId> system_;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -4,7 +4,7 @@
 #include <kj/refcount.h>
 #include <suture/framing/remote_error.h>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 using capnp::rpc::twoparty::Side;
 using capnp::rpc::twoparty::VatId;
@@ -115,4 +115,4 @@ kj::Promise<kj::Own<Base::Connection>> LinkNetwork::accept() {
   return connection();
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

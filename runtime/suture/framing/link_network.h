@@ -9,7 +9,7 @@
 
 #include <memory>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// Belongs to the control thread; must outlive the RPC system on it. A LinkNetwork is a network of
 /// two processes. Messages go straight into the stream's buffer and come straight out of it,
@@ -43,4 +43,4 @@ class LinkNetwork final : public capnp::TwoPartyVatNetworkBase {
   kj::ForkedPromise<void> disconnected_ = nullptr;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

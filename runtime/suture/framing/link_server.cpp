@@ -4,7 +4,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace suture::rpc {
+namespace suture::framing {
 namespace {
 
 // Limits the peers that are told at the same time that there are too many links.
@@ -13,29 +13,29 @@ constexpr std::size_t kMostTurnedAway = 16;
 // Limits what messages take that have begun and not ended.
 constexpr PeerBudget::Limits kUnfinished{.peer = 64u << 20, .process = 256u << 20};
 
-Trust usable(const Trust& trust, const Address& address) {
-  requireKeys(address, trust);
+net::Trust usable(const net::Trust& trust, const net::Address& address) {
+  net::requireKeys(address, trust);
   return trust;
 }
 
-Listener::Opens opensOf(const Trust& trust, const Address& address) {
-  const bool toOthers = address.kind == Address::Kind::Unix && !trust.users.empty();
-  return toOthers ? Listener::Opens::ToOthers : Listener::Opens::ToOwner;
+net::Listener::Opens opensOf(const net::Trust& trust, const net::Address& address) {
+  const bool toOthers = address.kind == net::Address::Kind::Unix && !trust.users.empty();
+  return toOthers ? net::Listener::Opens::ToOthers : net::Listener::Opens::ToOwner;
 }
 
 }  // namespace
 
 using capnp::rpc::twoparty::Side;
 
-capnp::Capability::Client turnAway(Refusals& refusals, const PeerIdentity& who,
+capnp::Capability::Client turnAway(net::Refusals& refusals, const net::PeerIdentity& who,
                                    const std::string& text) {
   refusals.add(who.text(), text);
-  return capnp::Capability::Client(failure(kj::Exception::Type::FAILED, text));
+  return capnp::Capability::Client(loop::failure(kj::Exception::Type::FAILED, text));
 }
 
-LinkServer::LinkServer(EventPort& port, const Address& address, Offer offer, Refusals& refusals,
-                       StreamLimits limits, std::size_t maxLinks, const Trust& trust,
-                       Awaited awaited)
+LinkServer::LinkServer(loop::EventPort& port, const net::Address& address, Offer offer,
+                       net::Refusals& refusals, StreamLimits limits, std::size_t maxLinks,
+                       const net::Trust& trust, Awaited awaited)
     : port_(port),
       trust_(usable(trust, address)),
       listener_(port, address, opensOf(trust, address)),
@@ -52,14 +52,14 @@ LinkServer::LinkServer(EventPort& port, const Address& address, Offer offer, Ref
 
 void LinkServer::accept(kj::AutoCloseFd socket) {
   if (links_ == maxLinks_ + kMostTurnedAway) {
-    return refusals_.add(identityOf(socket).text(),
+    return refusals_.add(net::identityOf(socket).text(),
                          "talk to " + address().text() + ": " + tooMany());
   }
   const Room room = links_++ < maxLinks_ ? Room::Is : Room::IsNot;
   // A failure here, perhaps for lack of memory, ends only this connection.
   auto served = kj::evalNow([&] {
-    return address().kind == Address::Kind::Tls ? secure(kj::mv(socket), room)
-                                                : open(ByteStream(kj::mv(socket)), room);
+    return address().kind == net::Address::Kind::Tls ? secure(kj::mv(socket), room)
+                                                     : open(net::ByteStream(kj::mv(socket)), room);
   });
   tasks_.add(served.attach(kj::defer([this] { --links_; })));
 }
@@ -81,11 +81,11 @@ std::string LinkServer::tooMany() const {
 
 kj::Promise<void> LinkServer::secure(kj::AutoCloseFd socket, Room room) {
   const auto deadline = std::chrono::milliseconds(limits_.handshakeMilliseconds);
-  return handshake(port_, kj::mv(socket), trust_.keys, tls::Session::Side::Server, deadline)
-      .then([this, room](ByteStream bytes) { return open(kj::mv(bytes), room); });
+  return net::handshake(port_, kj::mv(socket), trust_.keys, tls::Session::Side::Server, deadline)
+      .then([this, room](net::ByteStream bytes) { return open(kj::mv(bytes), room); });
 }
 
-kj::Promise<void> LinkServer::open(ByteStream bytes, Room room) {
+kj::Promise<void> LinkServer::open(net::ByteStream bytes, Room room) {
   return readPreamble(port_, kj::mv(bytes), limits_)
       .then([this, room](Opened opened) -> kj::Promise<void> {
         KJ_IF_MAYBE (token, opened.token) {
@@ -96,7 +96,8 @@ kj::Promise<void> LinkServer::open(ByteStream bytes, Room room) {
       });
 }
 
-kj::Promise<void> LinkServer::serve(ByteStream bytes, std::span<const std::byte> begun, Room room) {
+kj::Promise<void> LinkServer::serve(net::ByteStream bytes, std::span<const std::byte> begun,
+                                    Room room) {
   auto caller = std::make_shared<Caller>();
   caller->identity = bytes.peer();
   caller->budget = budget_;
@@ -116,10 +117,10 @@ kj::Promise<void> LinkServer::serve(ByteStream bytes, std::span<const std::byte>
 }
 
 capnp::Capability::Client LinkServer::offerTo(const std::shared_ptr<Caller>& caller, Room room) {
-  const PeerIdentity& who = caller->identity;
+  const net::PeerIdentity& who = caller->identity;
   const std::string asked = "talk to " + address().text() + ": ";
   if (room == Room::IsNot) return turnAway(refusals_, who, asked + tooMany());
-  if (who.proof != PeerIdentity::Proof::User || isTrusted(who.user, trust_.users)) {
+  if (who.proof != net::PeerIdentity::Proof::User || net::isTrusted(who.user, trust_.users)) {
     return offer_(caller);
   }
   return turnAway(refusals_, who,
@@ -140,7 +141,7 @@ kj::Promise<void> LinkServer::whenStranger(std::shared_ptr<Caller> caller) {
 }
 
 void LinkServer::taskFailed(kj::Exception&& exception) {
-  refusals_.add("a peer at " + address().text(), describe(exception));
+  refusals_.add("a peer at " + address().text(), loop::describe(exception));
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

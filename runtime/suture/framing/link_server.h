@@ -10,11 +10,11 @@
 
 #include <memory>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// Belongs to the control thread. A Caller is the peer at the other end of an accepted link.
 struct Caller {
-  PeerIdentity identity;
+  net::PeerIdentity identity;
   std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports
   std::shared_ptr<PeerBudget> budget;            ///< of the server, for unfinished messages
   /// The code that serves the peer sets this, once the peer has said what it wants. A link on which
@@ -29,7 +29,7 @@ struct Caller {
 
 /// Adds `text` to `refusals`, and returns a capability for the peer on which every call fails with
 /// it.
-capnp::Capability::Client turnAway(Refusals& refusals, const PeerIdentity& who,
+capnp::Capability::Client turnAway(net::Refusals& refusals, const net::PeerIdentity& who,
                                    const std::string& text);
 
 /// Belongs to the control thread. Accepts connections until it is destroyed, which closes all its
@@ -40,7 +40,7 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   using Offer = kj::Function<capnp::Capability::Client(std::shared_ptr<Caller>)>;
 
   /// The server calls this with each connection that is not a link, see preamble.h.
-  using Awaited = kj::Function<void(const Token&, ByteStream)>;
+  using Awaited = kj::Function<void(const Token&, net::ByteStream)>;
 
   /// Throws SetupError as Listener does, or if the address needs keys and `trust` has none. At
   /// tls:// a peer without a certificate of the CA gets no link. At unix: a peer that is run by a
@@ -48,11 +48,11 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   /// of a few peers beyond `maxLinks` at a time; any more are closed without an answer. All of them
   /// are added to `refusals`.
   LinkServer(
-      EventPort& port, const Address& address, Offer offer, Refusals& refusals,
-      StreamLimits limits = {}, std::size_t maxLinks = 1024, const Trust& trust = {},
-      Awaited awaited = [](const Token&, ByteStream) {});
+      loop::EventPort& port, const net::Address& address, Offer offer, net::Refusals& refusals,
+      StreamLimits limits = {}, std::size_t maxLinks = 1024, const net::Trust& trust = {},
+      Awaited awaited = [](const Token&, net::ByteStream) {});
 
-  const Address& address() const { return listener_.address(); }
+  const net::Address& address() const { return listener_.address(); }
 
  private:
   void accept(kj::AutoCloseFd socket);
@@ -61,18 +61,18 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   enum class Room { Is, IsNot };
 
   kj::Promise<void> secure(kj::AutoCloseFd socket, Room room);
-  kj::Promise<void> open(ByteStream bytes, Room room);
-  kj::Promise<void> serve(ByteStream bytes, std::span<const std::byte> begun, Room room);
+  kj::Promise<void> open(net::ByteStream bytes, Room room);
+  kj::Promise<void> serve(net::ByteStream bytes, std::span<const std::byte> begun, Room room);
   capnp::Capability::Client offerTo(const std::shared_ptr<Caller>& caller, Room room);
   std::string tooMany() const;
   kj::Promise<void> whenStranger(std::shared_ptr<Caller> caller);
   void taskFailed(kj::Exception&& exception) override;
 
-  EventPort& port_;
-  const Trust trust_;
-  Listener listener_;
+  loop::EventPort& port_;
+  const net::Trust trust_;
+  net::Listener listener_;
   Offer offer_;
-  Refusals& refusals_;
+  net::Refusals& refusals_;
   Awaited awaited_;
   StreamLimits limits_;
   std::size_t maxLinks_;
@@ -81,4 +81,4 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   kj::TaskSet tasks_;  // last: cancelled first
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

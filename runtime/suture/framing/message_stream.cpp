@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <span>
 
-namespace suture::rpc {
+namespace suture::framing {
 namespace {
 
 // So many bytes are worth a send of their own.
@@ -43,13 +43,13 @@ bool isTls(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-MessageStream::MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits,
+MessageStream::MessageStream(loop::EventPort& port, net::ByteStream bytes, StreamLimits limits,
                              std::span<const std::byte> begun, StrangerGuard guard)
     : port_(port),
       bytes_(kj::mv(bytes)),
       limits_(limits),
       guard_(std::move(guard)),
-      readObserver_(port, bytes_.socket(), EventPort::FdObserver::OBSERVE_READ),
+      readObserver_(port, bytes_.socket(), loop::EventPort::FdObserver::OBSERVE_READ),
       incoming_(guard_.known == nullptr ? kReadAtOnce : kStrangersReadAtOnce),
       opened_(port.getTimer().now()) {
   if (begun.empty()) return;
@@ -74,7 +74,7 @@ MessageStream::Reading MessageStream::readBuffered() {
     if (receive() == Received::End) {
       if (incoming_.bytes().empty())
         return Reading(kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>(nullptr));
-      kj::throwFatalException(disconnected("the peer closed in the middle of a message"));
+      kj::throwFatalException(loop::disconnected("the peer closed in the middle of a message"));
     }
   }
 }
@@ -128,7 +128,7 @@ void MessageStream::countUnfinished() {
 
 void MessageStream::refuse(std::string why) {
   refusal_ = std::move(why);
-  kj::throwFatalException(disconnected(refusal_));
+  kj::throwFatalException(loop::disconnected(refusal_));
 }
 
 bool MessageStream::isStranger() const { return guard_.known != nullptr && !*guard_.known; }
@@ -147,7 +147,7 @@ std::uint64_t MessageStream::taken() const {
 
 MessageStream::Received MessageStream::receive() {
   const auto space = incoming_.space();
-  Descriptors descriptors;
+  net::Descriptors descriptors;
   const ssize_t count = bytes_.receive(space, descriptors);
   if (count == 0) return Received::End;
   if (count < 0 && errno == EINTR) return Received::Some;
@@ -168,7 +168,7 @@ MessageStream::Received MessageStream::receive() {
   if (!descriptors.empty()) {
     const std::uint64_t end = counters_->receivedBytes.load(std::memory_order_relaxed);
     arrivedDescriptors_.add({end - 1, end, kj::mv(descriptors)});
-    if (arrivedDescriptors_.size() > kMostDescriptors) {
+    if (arrivedDescriptors_.size() > net::kMostDescriptors) {
       refuse("the peer sends more descriptors than messages");
     }
   }
@@ -193,11 +193,11 @@ void MessageStream::write(Segments message, Leaves when, kj::ArrayPtr<const int>
   appendFrame(message, outgoing_);
   if (descriptors.size() > 0) {
     const std::uint64_t end = counters_->sentBytes + outgoing_.size() - outgoingBegin_;
-    outgoingDescriptors_.add({begin, end, duplicate(descriptors)});
+    outgoingDescriptors_.add({begin, end, net::duplicate(descriptors)});
   }
   const std::size_t unsent = outgoing_.size() - outgoingBegin_;
   if (unsent > (isStranger() ? limits_.strangerBytes : limits_.unsentBytes)) {
-    fail(disconnected(kTakesNothing));
+    fail(loop::disconnected(kTakesNothing));
   } else if (unsent >= kSendAtOnce) {
     flush();
   } else if (when == Leaves::WithNextMessage) {
@@ -269,7 +269,8 @@ void MessageStream::awaitRoom() {
 }
 
 void MessageStream::observeRoom() {
-  if (writeObserver_ == nullptr) writeObserver_ = kj::heap<WriteObserver>(port_, bytes_.socket());
+  if (writeObserver_ == nullptr)
+    writeObserver_ = kj::heap<loop::WriteObserver>(port_, bytes_.socket());
 }
 
 void MessageStream::discardSent() {
@@ -302,10 +303,10 @@ kj::Promise<void> MessageStream::end() {
   auto late = port_.getTimer()
                   .afterDelay(limits_.drainMilliseconds * kj::MILLISECONDS)
                   .then([this]() -> kj::Promise<void> {
-                    fail(disconnected(kTakesNothing));
+                    fail(loop::disconnected(kTakesNothing));
                     return kj::cp(KJ_ASSERT_NONNULL(writeFailure_));
                   });
   return pair.promise.then([this] { bytes_.end(); }).exclusiveJoin(kj::mv(late));
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -23,7 +23,7 @@
 #include <string_view>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// The control thread writes it, any thread may read. Counts the bytes that crossed a link, without
 /// what TLS adds.
@@ -45,11 +45,11 @@ struct StrangerGuard {
 /// one turn of the event loop leave in one send. If a peer breaks the limits, the pending read
 /// rejects with a kj::Exception, the connection ends, and nothing that the peer sent beyond that
 /// point is looked at.
-class MessageStream final : private EventPort::Output {
+class MessageStream final : private loop::EventPort::Output {
  public:
   /// `begun` is what has been received already. A peer that we have called needs no `guard`: all of
   /// its messages may be long, and nothing bounds their sum.
-  MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits = {},
+  MessageStream(loop::EventPort& port, net::ByteStream bytes, StreamLimits limits = {},
                 std::span<const std::byte> begun = {}, StrangerGuard guard = {});
   ~MessageStream() noexcept(false);
 
@@ -111,16 +111,16 @@ class MessageStream final : private EventPort::Output {
   void drained();
   void fail(kj::Exception exception);
 
-  EventPort& port_;
-  ByteStream bytes_;  // before the observers: they must go first
+  loop::EventPort& port_;
+  net::ByteStream bytes_;  // before the observers: they must go first
   StreamLimits limits_;
   StrangerGuard guard_;
   std::shared_ptr<LinkCounters> counters_ = std::make_shared<LinkCounters>();
 
-  EventPort::FdObserver readObserver_;
+  loop::EventPort::FdObserver readObserver_;
   kj::Maybe<kj::Promise<void>> readable_;  // set: the socket was empty when this was made
   ReceiveBuffer incoming_;
-  AttachedDescriptors arrivedDescriptors_;
+  net::AttachedDescriptors arrivedDescriptors_;
   Judge judge_ = [](capnp::IncomingRpcMessage&, bool) { return std::string_view(); };
   bool anyMessage_ = false;
   kj::TimePoint opened_;
@@ -129,14 +129,14 @@ class MessageStream final : private EventPort::Output {
 
   std::vector<std::byte> outgoing_;
   std::size_t outgoingBegin_ = 0;
-  AttachedDescriptors outgoingDescriptors_;
+  net::AttachedDescriptors outgoingDescriptors_;
   bool awaitingRoom_ = false;  // the socket is full
   bool delayedSendScheduled_ = false;
   kj::Maybe<kj::Exception> writeFailure_;
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> ending_;
-  kj::Maybe<kj::Own<WriteObserver>> writeObserver_;  // made the first time the socket is full
+  kj::Maybe<kj::Own<loop::WriteObserver>> writeObserver_;  // made the first time the socket is full
   kj::Promise<void> delayedSendTask_ = kj::READY_NOW;
   kj::Promise<void> roomTask_ = kj::READY_NOW;  // the tasks last: cancelled first
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

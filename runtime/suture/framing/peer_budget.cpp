@@ -1,6 +1,6 @@
 #include <suture/framing/peer_budget.h>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 std::optional<PeerBudget::Beyond> PeerBudget::Share::hold(std::size_t bytes) {
   if (bytes == held_) return std::nullopt;
@@ -28,4 +28,4 @@ std::string unfinishedBeyond(const PeerBudget::Beyond& beyond) {
          std::to_string(beyond.limit) + " bytes. Send smaller ones, or fewer at a time";
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// Any thread but a task's, because it locks. Bounds one kind of memory; whoever holds some says
 /// how much by a share.
@@ -58,4 +58,4 @@ class PeerBudget {
 /// Returns why the messages of a peer that have begun may not take more, in words.
 std::string unfinishedBeyond(const PeerBudget::Beyond& beyond);
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -6,19 +6,19 @@
 #include <cstring>
 #include <span>
 
-namespace suture::rpc {
+namespace suture::framing {
 namespace {
 
 class PreambleReader {
  public:
-  PreambleReader(EventPort& port, ByteStream bytes)
+  PreambleReader(loop::EventPort& port, net::ByteStream bytes)
       : bytes_(kj::mv(bytes)),
-        observer_(kj::heap<EventPort::FdObserver>(port, bytes_.socket(),
-                                                  EventPort::FdObserver::OBSERVE_READ)) {}
+        observer_(kj::heap<loop::EventPort::FdObserver>(
+            port, bytes_.socket(), loop::EventPort::FdObserver::OBSERVE_READ)) {}
 
   kj::Promise<Opened> read() {
     while (isPreamble() && read_ < beginning_.size()) {
-      Descriptors none;
+      net::Descriptors none;
       const ssize_t count = bytes_.receive(std::span(beginning_).subspan(read_), none);
       if (count > 0) {
         read_ += static_cast<std::size_t>(count);
@@ -49,8 +49,8 @@ class PreambleReader {
     return {kj::mv(bytes_), token, {}};
   }
 
-  ByteStream bytes_;
-  kj::Own<EventPort::FdObserver> observer_;
+  net::ByteStream bytes_;
+  kj::Own<loop::EventPort::FdObserver> observer_;
   std::array<std::byte, sizeof(Token) + kPreamble.size()> beginning_{};
   std::size_t read_ = 0;
 };
@@ -65,33 +65,36 @@ std::array<std::byte, sizeof(Token) + 8> preambleOf(const Token& token) {
   return preamble;
 }
 
-kj::Promise<Opened> readPreamble(EventPort& port, ByteStream bytes, const StreamLimits& limits) {
+kj::Promise<Opened> readPreamble(loop::EventPort& port, net::ByteStream bytes,
+                                 const StreamLimits& limits) {
   auto reader = kj::heap<PreambleReader>(port, kj::mv(bytes));
   auto opened = kj::evalNow([&] { return reader->read(); }).attach(kj::mv(reader));
   if (limits.firstMilliseconds == 0) return opened;
   auto late = port.getTimer()
                   .afterDelay(limits.firstMilliseconds * kj::MILLISECONDS)
-                  .then([]() -> kj::Promise<Opened> { return disconnected(kSentNothing); });
+                  .then([]() -> kj::Promise<Opened> { return loop::disconnected(kSentNothing); });
   return opened.exclusiveJoin(kj::mv(late));
 }
 
 // A new connection has room for these few bytes, so they leave in one send.
-bool sendToken(ByteStream& bytes, const Token& token) {
+bool sendToken(net::ByteStream& bytes, const Token& token) {
   const auto preamble = preambleOf(token);
   return bytes.send(preamble, {}) == static_cast<ssize_t>(preamble.size());
 }
 
-kj::Promise<ByteStream> exchangeToken(EventPort& port, ByteStream bytes, const Token& token) {
+kj::Promise<net::ByteStream> exchangeToken(loop::EventPort& port, net::ByteStream bytes,
+                                           const Token& token) {
   if (!sendToken(bytes, token)) {
-    return failure(kj::Exception::Type::FAILED, "the second connection takes nothing");
+    return loop::failure(kj::Exception::Type::FAILED, "the second connection takes nothing");
   }
   return readPreamble(port, kj::mv(bytes), {})
-      .then([token](Opened opened) -> kj::Promise<ByteStream> {
+      .then([token](Opened opened) -> kj::Promise<net::ByteStream> {
         KJ_IF_MAYBE (theirs, opened.token) {
           if (*theirs == token) return kj::mv(opened.bytes);
         }
-        return failure(kj::Exception::Type::FAILED, "nobody awaits a second connection there");
+        return loop::failure(kj::Exception::Type::FAILED,
+                             "nobody awaits a second connection there");
       });
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// A Token is a secret that is valid for one connection, and says which of the awaited connections
 /// this is.
@@ -24,7 +24,7 @@ std::array<std::byte, sizeof(Token) + 8> preambleOf(const Token& token);
 
 /// This is a connection whose beginning has been read.
 struct Opened {
-  ByteStream bytes;
+  net::ByteStream bytes;
   kj::Maybe<Token> token;
   /// Holds the bytes of a link's first message that have been read.
   std::vector<std::byte> begun;
@@ -33,13 +33,15 @@ struct Opened {
 /// The control thread. Reads as many bytes as are needed to tell what the connection is for;
 /// descriptors that come with them are closed. Rejects if the peer sends nothing in time, or
 /// leaves.
-kj::Promise<Opened> readPreamble(EventPort& port, ByteStream bytes, const StreamLimits& limits);
+kj::Promise<Opened> readPreamble(loop::EventPort& port, net::ByteStream bytes,
+                                 const StreamLimits& limits);
 
 /// Sends the token, which must be the first thing on the connection. Returns false if the
 /// connection does not take it.
-bool sendToken(ByteStream& bytes, const Token& token);
+bool sendToken(net::ByteStream& bytes, const Token& token);
 /// The control thread. Sends the token, and waits until the peer sends the same. Rejects if the
 /// peer does not await it.
-kj::Promise<ByteStream> exchangeToken(EventPort& port, ByteStream bytes, const Token& token);
+kj::Promise<net::ByteStream> exchangeToken(loop::EventPort& port, net::ByteStream bytes,
+                                           const Token& token);
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

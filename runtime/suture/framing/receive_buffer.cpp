@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 ReceiveBuffer::ReceiveBuffer(std::size_t bytes)
     : storage_(kj::heapArray<std::byte>(bytes)), idleSize_(bytes) {}
@@ -50,4 +50,4 @@ kj::Array<capnp::word> ReceiveBuffer::take(std::size_t count) {
   return words;
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -9,7 +9,7 @@
 
 #include <capnp/common.h>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// One thread. Holds what one receive brought, possibly several messages. A longer message arrives
 /// in memory of its own, of which the kernel provides only what bytes have really arrived in, so a
@@ -45,4 +45,4 @@ class ReceiveBuffer {
   std::size_t longEnd_ = 0;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -8,7 +8,7 @@
 #include <kj/io.h>
 #include <suture/framing/frame_header.h>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// Belongs to the control thread. Reads the segments of one frame.
 class ReceivedMessage final : public capnp::MessageReader, public capnp::IncomingRpcMessage {
@@ -39,4 +39,4 @@ class ReceivedMessage final : public capnp::MessageReader, public capnp::Incomin
   kj::Array<kj::AutoCloseFd> descriptors_;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace suture::rpc {
+namespace suture::framing {
 namespace {
 
 constexpr std::string_view kPrefix = "suture error ";
@@ -24,19 +24,19 @@ kj::Exception remoteError(Errc error, const FieldPath& invalid) {
   const auto number = std::to_string(static_cast<unsigned>(error));
   std::string text = std::string(kPrefix) + number + ": " + toString(error);
   if (!invalid.empty()) text.append(": ").append(invalid.text());
-  return failure(kj::Exception::Type::FAILED, text);
+  return loop::failure(kj::Exception::Type::FAILED, text);
 }
 
 Errc errcOf(const kj::Exception& exception) {
   if (exception.getType() == kj::Exception::Type::DISCONNECTED) return Errc::OutcomeUnknown;
   if (exception.getType() == kj::Exception::Type::UNIMPLEMENTED) return Errc::NotImplemented;
-  const Errc told = toldErrc(numberIn(describe(exception)));
+  const Errc told = toldErrc(numberIn(loop::describe(exception)));
   return told == Errc{} ? Errc::OutcomeUnknown : told;
 }
 
 std::string reasonOf(const kj::Exception& exception) {
   const Errc error = errcOf(exception);
-  const std::string text = describe(exception);
+  const std::string text = loop::describe(exception);
   const bool told = exception.getType() == kj::Exception::Type::FAILED;
   const bool known = numberIn(text) == static_cast<unsigned>(error);
   // The peer says more of what is invalid, and of an error that only it knows.
@@ -45,4 +45,4 @@ std::string reasonOf(const kj::Exception& exception) {
   return number == std::string::npos ? text : text.substr(number + 2);
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// Returns the rejection that tells `error` to the caller, as a number and in words. `invalid` says
 /// which part of a value it is about, if that is known.
@@ -20,4 +20,4 @@ Errc errcOf(const kj::Exception& exception);
 /// Returns the same in words: the peer's own if it has said more than an Errc.
 std::string reasonOf(const kj::Exception& exception);
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

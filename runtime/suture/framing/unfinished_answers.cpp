@@ -1,6 +1,6 @@
 #include <suture/framing/unfinished_answers.h>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 using Message = capnp::rpc::Message;
 
@@ -38,4 +38,4 @@ void UnfinishedAnswers::finish(std::uint32_t question) {
   answers_[question] = {.bytes = 0, .isFinished = true};
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 /// Belongs to the control thread. Cap'n Proto keeps each answer until the peer finishes its
 /// question, and the number of a question is free until then, so numbers bound the answers.
@@ -37,4 +37,4 @@ class UnfinishedAnswers {
   std::size_t bytes_ = 0;        // of those that are not finished
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

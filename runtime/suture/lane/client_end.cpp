@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace suture::rpc {
+namespace suture {
 
 void ClientEnd::onBroken(kj::Function<void(std::string)> broken) {
   if (!whyBroken_.empty()) return broken(whyBroken_);
@@ -27,4 +27,4 @@ void ClientEnd::close(ChannelStatus why) {
   channel_->ends.provider->ring();  // a thread that carries it drops it then
 }
 
-}  // namespace suture::rpc
+}  // namespace suture

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace suture::rpc {
+namespace suture {
 
 /// Belongs to the control thread. Tells a client's channel the news of its provider.
 class ClientEnd : public kj::Refcounted {
@@ -42,4 +42,4 @@ class ClientEnd : public kj::Refcounted {
   bool closed_ = false;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture

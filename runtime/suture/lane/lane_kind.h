@@ -24,15 +24,15 @@ namespace suture {
 /// A LaneSocket is a socket between the two processes of a session, for one lane.
 struct LaneSocket {
   std::uint32_t number = 0;  ///< its number in both processes
-  rpc::ByteStream bytes;
+  net::ByteStream bytes;
   /// Counts what the peer has begun to send; null: it was called.
-  std::unique_ptr<rpc::PeerBudget::Share> share = nullptr;
+  std::unique_ptr<framing::PeerBudget::Share> share = nullptr;
 };
 
 /// A ClientSession is what a lane may use of a session, in the client's process.
 class ClientSession {
  public:
-  virtual rpc::ControlThread& control() = 0;
+  virtual loop::ControlThread& control() = 0;
   /// True if the control link is a Unix socket, so that both processes are on one machine.
   virtual bool carriesDescriptors() const = 0;
   /// Returns true if both processes have one steady clock.
@@ -57,7 +57,7 @@ struct OutgoingConnection {
 
 /// Holds a client's end that has been made. Its channel is not attached to the client yet.
 struct OpenedEnd {
-  kj::Own<rpc::ClientEnd> end;
+  kj::Own<ClientEnd> end;
   std::shared_ptr<Channel> channel;
 };
 
@@ -87,7 +87,7 @@ class LaneClient {
 /// A ServerSession is what a lane may use of a session, in the provider's process.
 class ServerSession {
  public:
-  virtual rpc::ControlThread& control() = 0;
+  virtual loop::ControlThread& control() = 0;
   /// Tells the operator of this process why a socket of the peer was closed, or what it asked on
   /// one in vain.
   virtual void cutOff(const std::string& why) = 0;
@@ -112,7 +112,7 @@ struct IncomingConnection {
 
 /// Holds a provider's end that has been made. Its channel is not attached to the provider yet.
 struct AcceptedEnd {
-  kj::Own<rpc::ProviderEnd> end;
+  kj::Own<ProviderEnd> end;
   std::shared_ptr<Channel> channel;
 };
 

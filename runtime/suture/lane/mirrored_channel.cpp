@@ -7,7 +7,7 @@ namespace suture {
 
 std::shared_ptr<Channel> mirroredChannel(OutgoingConnection connection, const char* lane,
                                          std::shared_ptr<rt::Doorbell> bell,
-                                         rpc::ControlThread& control) {
+                                         loop::ControlThread& control) {
   constexpr std::size_t kMostBytes = std::size_t{64} << 20;
   auto mirror = makeStateTable(connection.contract, rt::StateTable::Readers::Here);
   const std::size_t most = std::max<std::size_t>(kMostBytes / mirror->rowBytes(), 1);

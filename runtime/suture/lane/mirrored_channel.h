@@ -9,6 +9,6 @@ namespace suture {
 /// to a bound, because a peer must not make this process take more memory.
 std::shared_ptr<Channel> mirroredChannel(OutgoingConnection connection, const char* lane,
                                          std::shared_ptr<rt::Doorbell> bell,
-                                         rpc::ControlThread& control);
+                                         loop::ControlThread& control);
 
 }  // namespace suture

@@ -1,6 +1,6 @@
 #include <suture/lane/provider_end.h>
 
-namespace suture::rpc {
+namespace suture {
 Earlier ProviderEnd::earlier() {
   const Earlier earlier = channel_->terms.ledger->before(*channel_);
   earlierTold_ = earlier.ended;
@@ -53,4 +53,4 @@ void ProviderEnd::passOn(ChannelStatus status) {
   KJ_IF_MAYBE (listener, listener_) (*listener)->told(status);
 }
 
-}  // namespace suture::rpc
+}  // namespace suture

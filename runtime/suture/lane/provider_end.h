@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-namespace suture::rpc {
+namespace suture {
 
 /// Belongs to the control thread. Watches a provider's channel for a client in another process.
 class ProviderEnd : public kj::Refcounted {
@@ -65,4 +65,4 @@ class ProviderEnd : public kj::Refcounted {
   bool earlierTold_ = false;  // the last counts
 };
 
-}  // namespace suture::rpc
+}  // namespace suture

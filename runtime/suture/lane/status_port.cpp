@@ -2,7 +2,7 @@
 
 namespace suture {
 
-StatusPort::StatusPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel)
+StatusPort::StatusPort(loop::ControlThread& control, std::shared_ptr<Channel> channel)
     : ProviderEnd(std::move(channel)), control_(control) {
   control_.add(*this);
 }

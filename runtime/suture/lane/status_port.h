@@ -11,10 +11,10 @@
 namespace suture {
 
 /// Belongs to the control thread. Passes on the status of a connection by shm or frame.
-class StatusPort : public rpc::ProviderEnd, private rpc::Pump {
+class StatusPort : public ProviderEnd, private loop::Pump {
  public:
   /// `channel` will be attached to the provider; its watcher is the control thread.
-  StatusPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel);
+  StatusPort(loop::ControlThread& control, std::shared_ptr<Channel> channel);
   ~StatusPort() noexcept(false) { close(); }
 
  protected:
@@ -23,7 +23,7 @@ class StatusPort : public rpc::ProviderEnd, private rpc::Pump {
  private:
   void ending() override { control_.remove(*this); }
 
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
 };
 
 }  // namespace suture

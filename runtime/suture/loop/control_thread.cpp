@@ -10,7 +10,7 @@
 #include <cstring>
 #include <optional>
 
-namespace suture::rpc {
+namespace suture::loop {
 
 kj::AutoCloseFd ControlThread::makeEventDescriptor() {
   const int descriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
@@ -40,7 +40,7 @@ void ControlThread::Loop::takeWork() {
 }
 
 void ControlThread::Loop::report(const kj::Exception& exception) {
-  printUnlessFull("suture: a background task failed: " + describe(exception));
+  rt::printUnlessFull("suture: a background task failed: " + describe(exception));
 }
 
 ControlThread::ControlThread() {
@@ -115,4 +115,4 @@ void ControlThread::runPumps() {
   std::erase(pumps_, nullptr);
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::loop

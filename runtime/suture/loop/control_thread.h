@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::loop {
 
 /// Moves data between task threads and the network whenever a task has rung.
 class Pump {
@@ -111,4 +111,4 @@ class ControlThread {
   rt::Thread thread_;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::loop

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace suture::rpc {
+namespace suture::loop {
 
 inline kj::Duration toKj(Duration duration) { return duration.count() * kj::NANOSECONDS; }
 
@@ -21,4 +21,4 @@ kj::Promise<T> within(kj::Timer& timer, Duration limit, kj::Promise<T> promise, 
   return promise.exclusiveJoin(kj::mv(late));
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::loop

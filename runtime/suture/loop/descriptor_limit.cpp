@@ -1,7 +1,7 @@
 #include <suture/loop/descriptor_limit.h>
 #include <sys/resource.h>
 
-namespace suture {
+namespace suture::loop {
 
 void allowAllDescriptors() {
   rlimit limit;
@@ -10,4 +10,4 @@ void allowAllDescriptors() {
   setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-}  // namespace suture
+}  // namespace suture::loop

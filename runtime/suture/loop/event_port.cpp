@@ -8,7 +8,7 @@
 #include <cstring>
 #include <iterator>
 
-namespace suture::rpc {
+namespace suture::loop {
 namespace {
 
 // Work that never ends must not keep written messages or sockets waiting.
@@ -128,4 +128,4 @@ void EventPort::flushAll() {
   }
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::loop

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::loop {
 
 /// Belongs to the thread that makes it. An EventPort is the event loop of one thread, and what
 /// wakes it. When KJ's queue is empty, it first brings in what other threads have handed over and
@@ -79,4 +79,4 @@ class EventPort : public kj::UnixEventPort, private VirtualTime::Sockets {
   kj::WaitScope scope_{loop_};
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::loop

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace suture::rpc {
+namespace suture::loop {
 namespace {
 
 constexpr std::string_view kRemote = "remote exception: ";  // the library writes it
@@ -25,4 +25,4 @@ std::string describe(const kj::Exception& exception) {
   return std::string(text);
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::loop

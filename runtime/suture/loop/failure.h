@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace suture::rpc {
+namespace suture::loop {
 
 /// Returns a rejection with a text for people.
 kj::Exception failure(kj::Exception::Type type, const std::string& text);
@@ -22,4 +22,4 @@ bool isRemote(const kj::Exception& exception);
 /// Returns what went wrong, without the library's prefixes ("remote exception: ").
 std::string describe(const kj::Exception& exception);
 
-}  // namespace suture::rpc
+}  // namespace suture::loop

@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <variant>
 
-namespace suture::rpc {
+namespace suture::loop {
 
 /// ControlThread::run() throws this when there is no result.
 class ControlFailure : public std::runtime_error {
@@ -109,4 +109,4 @@ class Settles {
   std::shared_ptr<Outcome<T>> outcome_;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::loop

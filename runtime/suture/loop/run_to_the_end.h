@@ -7,7 +7,7 @@
 #include <chrono>
 #include <string>
 
-namespace suture::rpc {
+namespace suture::loop {
 
 /// Any other thread. Runs `work` on the control thread and waits for it, since nothing that it
 /// still uses may go before. It may run again after it has run. While the thread is busy, this says
@@ -20,9 +20,9 @@ std::string runToTheEnd(ControlThread& control, const std::string& who, const Wo
       return "";
     } catch (const ControlFailure& failure) {
       if (failure.kind() != ControlFailure::Kind::TimedOut) return failure.what();
-      printUnlessFull(who + failure.what());
+      rt::printUnlessFull(who + failure.what());
     }
   }
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::loop

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <utility>
 
-namespace suture {
+namespace suture::loop {
 
 using namespace std::chrono_literals;
 
@@ -55,4 +55,4 @@ void OnToldToEnd::wait() const {
   if (read(told_, &signal, sizeof signal) > 0) act_();
 }
 
-}  // namespace suture
+}  // namespace suture::loop

@@ -8,7 +8,7 @@
 #include <functional>
 #include <thread>
 
-namespace suture {
+namespace suture::loop {
 
 /// Before any thread is started: blocks SIGINT and SIGTERM in the calling thread and those that it
 /// starts, so that they can be waited for; ignores SIGPIPE.
@@ -43,4 +43,4 @@ class OnToldToEnd {
   std::thread thread_;
 };
 
-}  // namespace suture
+}  // namespace suture::loop

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <tuple>
 
-namespace suture {
+namespace suture::loop {
 
 void openStandardDescriptors() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
@@ -27,4 +27,4 @@ bool writeOut(const std::string& text) {
   throw outputLost();
 }
 
-}  // namespace suture
+}  // namespace suture::loop

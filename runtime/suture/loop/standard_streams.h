@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace suture {
+namespace suture::loop {
 
 /// Call it in main() before anything is opened. The first socket would have the number of a
 /// standard descriptor that is closed, and what the program says would go to its peer. Such a
@@ -19,4 +19,4 @@ SetupError outputLost();
 /// SIGPIPE to be ignored. Throws SetupError if the text is lost otherwise.
 bool writeOut(const std::string& text);
 
-}  // namespace suture
+}  // namespace suture::loop

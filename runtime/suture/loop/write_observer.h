@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string>
 
-namespace suture::rpc {
+namespace suture::loop {
 
 /// Registers a socket with the event port a second time, through a duplicate descriptor: one
 /// registration cannot change what it observes, and observing writability all the time costs a
@@ -39,4 +39,4 @@ class WriteObserver {
   EventPort::FdObserver observer_;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::loop

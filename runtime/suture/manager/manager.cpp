@@ -117,7 +117,7 @@ DelayThread* Manager::delaysFor(const ConnectionDelay& delay) {
 
 Manager::~Manager() {
   refuseToStopInCycle();
-  if (const std::string why = stopAll(); !why.empty()) printUnlessFull(why);
+  if (const std::string why = stopAll(); !why.empty()) rt::printUnlessFull(why);
   for (HandleBase* handle : handles_) handle->manager_ = nullptr;
 }
 
@@ -430,8 +430,8 @@ std::uint64_t Manager::incarnation() const {
   return network_ == nullptr ? 0 : network_->incarnation();
 }
 
-rpc::Refusals::Summary Manager::refusals() const {
-  return network_ == nullptr ? rpc::Refusals::Summary{} : network_->refusals();
+net::Refusals::Summary Manager::refusals() const {
+  return network_ == nullptr ? net::Refusals::Summary{} : network_->refusals();
 }
 
 std::vector<std::shared_ptr<Channel>> Manager::channels() const {

@@ -142,7 +142,7 @@ class Manager {
   std::uint64_t incarnation() const;
   /// Counts the peers and the requests of peers that this process has refused, and has the latest
   /// in words. Each was reported on standard error.
-  rpc::Refusals::Summary refusals() const;
+  net::Refusals::Summary refusals() const;
 
  private:
   friend class HandleBase;

@@ -24,42 +24,42 @@ constexpr std::size_t kMostLinks = 4096;  // as many as there are names
 
 class GlobalManager::Impl {
  public:
-  Impl(rpc::ControlThread& control, const rpc::Address& address, const Security& security)
+  Impl(loop::ControlThread& control, const net::Address& address, const Security& security)
       : names_(kj::refcounted<NameService>(control.timer())),
         policy_(security.policy),
         server_(
             control.port(), address,
-            [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); },
+            [this](std::shared_ptr<framing::Caller> caller) { return offerTo(std::move(caller)); },
             refusals_, {.messageBytes = kMostOfAMessage}, kMostLinks, security.trust()) {}
 
   std::string address() const { return server_.address().text(); }
 
  private:
-  capnp::Capability::Client offerTo(std::shared_ptr<rpc::Caller> caller) {
+  capnp::Capability::Client offerTo(std::shared_ptr<framing::Caller> caller) {
     if (policy_.admits(caller->identity)) {
       return makeGlobalManager(kj::addRef(*names_), refusals_, std::move(caller));
     }
-    const rpc::PeerIdentity who = caller->identity;
-    return rpc::turnAway(
+    const net::PeerIdentity who = caller->identity;
+    return framing::turnAway(
         refusals_, who,
         "talk to the global manager: its policy has no rule for " + who.text() + ". Add one.");
   }
 
   kj::Own<NameService> names_;
   const Policy policy_;
-  rpc::Refusals refusals_{"suture-manager"};
-  rpc::LinkServer server_;
+  net::Refusals refusals_{"suture-manager"};
+  framing::LinkServer server_;
 };
 
-GlobalManager::GlobalManager(rpc::ControlThread& control, const std::string& address,
+GlobalManager::GlobalManager(loop::ControlThread& control, const std::string& address,
                              const Security& security)
     : control_(control) {
-  const auto parsed = rpc::Address::parse(address);
+  const auto parsed = net::Address::parse(address);
   try {
     impl_ = control.run(kPatience, [&control, parsed, security] {
       return std::make_unique<Impl>(control, parsed, security);
     });
-  } catch (const rpc::ControlFailure& failure) {
+  } catch (const loop::ControlFailure& failure) {
     throw SetupError(failure.what());
   }
   address_ = impl_->address();
@@ -67,8 +67,8 @@ GlobalManager::GlobalManager(rpc::ControlThread& control, const std::string& add
 
 GlobalManager::~GlobalManager() {
   const std::string why =
-      rpc::runToTheEnd(control_, "suture-manager: waits to end: ", [this] { impl_.reset(); });
-  if (!why.empty()) printUnlessFull("suture-manager: " + why);
+      loop::runToTheEnd(control_, "suture-manager: waits to end: ", [this] { impl_.reset(); });
+  if (!why.empty()) rt::printUnlessFull("suture-manager: " + why);
 }
 
 std::string GlobalManager::defaultAddress() {
@@ -80,8 +80,8 @@ std::string GlobalManager::defaultAddress() {
 }
 
 void GlobalManager::makeDirectory(const std::string& address) {
-  const auto parsed = rpc::Address::parse(address);
-  if (parsed.kind != rpc::Address::Kind::Unix) return;
+  const auto parsed = net::Address::parse(address);
+  if (parsed.kind != net::Address::Kind::Unix) return;
   const std::string directory = std::filesystem::path(parsed.path).parent_path();
   if (directory.empty() || mkdir(directory.c_str(), S_IRWXU) == 0) return;
   const std::string asked = "make the directory " + directory;

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-namespace rpc {
+namespace loop {
 class ControlThread;
 }
 
@@ -19,7 +19,7 @@ class GlobalManager {
   /// Throws SetupError if the address is invalid, in use or not permitted, or lacks keys for
   /// tls://. The keys of `security` are those of tls::kManagerName; peers that its policy admits
   /// may ask and register.
-  GlobalManager(rpc::ControlThread& control, const std::string& address,
+  GlobalManager(loop::ControlThread& control, const std::string& address,
                 const Security& security = {});
   ~GlobalManager();
   GlobalManager(const GlobalManager&) = delete;
@@ -37,7 +37,7 @@ class GlobalManager {
 
  private:
   class Impl;
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
   std::unique_ptr<Impl> impl_;
   std::string address_;
 };

@@ -8,7 +8,7 @@ namespace {
 kj::Promise<std::vector<ProcessRecord>> listBehind(wire::Session::Client session,
                                                    std::vector<ProcessRecord> before) {
   auto request = session.listRequest();
-  if (!before.empty()) request.setAfter(textOf(before.back().name));
+  if (!before.empty()) request.setAfter(codec::textOf(before.back().name));
   return request.send().then(
       [session,
        all = std::move(before)](auto&& results) mutable -> kj::Promise<std::vector<ProcessRecord>> {

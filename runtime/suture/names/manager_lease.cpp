@@ -12,7 +12,7 @@
 namespace suture {
 namespace {
 
-using rpc::Link;
+using framing::Link;
 using Type = kj::Exception::Type;
 
 constexpr Duration kAnswerLimit = std::chrono::seconds(2);
@@ -22,8 +22,8 @@ constexpr Duration kLongestPause = std::chrono::milliseconds(250);
 
 }  // namespace
 
-ManagerLease::ManagerLease(rpc::ControlThread& control, const rpc::Address& manager,
-                           std::string program, rpc::Trust trust)
+ManagerLease::ManagerLease(loop::ControlThread& control, const net::Address& manager,
+                           std::string program, net::Trust trust)
     : control_(control),
       manager_(manager),
       program_(std::move(program)),
@@ -32,18 +32,19 @@ ManagerLease::ManagerLease(rpc::ControlThread& control, const rpc::Address& mana
       here_(manager) {}
 
 kj::Promise<void> ManagerLease::open() {
-  auto reached = lookup_.places(kAnswerLimit).then([this](std::vector<rpc::Address> places) {
-    return rpc::reachFirst(control_.port(), std::move(places), trust_, tls::kManagerName,
+  auto reached = lookup_.places(kAnswerLimit).then([this](std::vector<net::Address> places) {
+    return net::reachFirst(control_.port(), std::move(places), trust_, tls::kManagerName,
                            kAnswerLimit);
   });
-  return reached.then([this](rpc::ByteStream bytes) {
-    here_ = rpc::localAddress(manager_, bytes.socket());
-    auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
+  return reached.then([this](net::ByteStream bytes) {
+    here_ = net::localAddress(manager_, bytes.socket());
+    auto stream = kj::heap<framing::MessageStream>(control_.port(), kj::mv(bytes));
     auto link = kj::heap<Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
     auto greeted = greet(link->bootstrap<wire::GlobalManager>(), program_, manager_)
                        .then([this](wire::Session::Client session) { session_ = kj::mv(session); });
     link_ = kj::mv(link);
-    return rpc::within(control_.timer(), kAnswerLimit, kj::mv(greeted), noManagerAnswers(manager_));
+    return loop::within(control_.timer(), kAnswerLimit, kj::mv(greeted),
+                        noManagerAnswers(manager_));
   });
 }
 
@@ -75,8 +76,8 @@ kj::Promise<void> ManagerLease::enrolNow() {
     if (untold_) update(std::vector(process_.components));
     return kj::READY_NOW;
   });
-  return rpc::within(control_.timer(), kAnswerLimit, kj::mv(registered),
-                     "register at " + manager_.text() + ": no answer. Restart the manager.");
+  return loop::within(control_.timer(), kAnswerLimit, kj::mv(registered),
+                      "register at " + manager_.text() + ": no answer. Restart the manager.");
 }
 
 kj::Promise<void> ManagerLease::keep() {
@@ -93,17 +94,17 @@ kj::Promise<void> ManagerLease::renew() {
   auto held = KJ_REQUIRE_NONNULL(lease_).renewRequest().send().then(
       [](auto&& results) { return results.getHeld(); },
       [](kj::Exception&&) { return true; });  // a broken link ends by itself
-  auto silent = control_.timer().afterDelay(rpc::toKj(kAnswerLimit)).then([] { return false; });
+  auto silent = control_.timer().afterDelay(loop::toKj(kAnswerLimit)).then([] { return false; });
   return held.exclusiveJoin(kj::mv(silent)).then([this](bool goesOn) -> kj::Promise<void> {
     if (!goesOn) return kj::READY_NOW;
-    return control_.timer().afterDelay(rpc::toKj(kRenewal)).then([this] { return renew(); });
+    return control_.timer().afterDelay(loop::toKj(kRenewal)).then([this] { return renew(); });
   });
 }
 
 kj::Promise<void> ManagerLease::comeBack(Duration pause) {
   drop();
   return control_.timer()
-      .afterDelay(rpc::toKj(pause))
+      .afterDelay(loop::toKj(pause))
       .then([this] { return open(); })
       .then([this] { return enrolNow(); })
       .catch_(
@@ -128,7 +129,7 @@ void ManagerLease::update(std::vector<ComponentRecord> components) {
     // If the link breaks, the next enrolment tells the manager everything again.
     control_.spawn(request.send().ignoreResult().catch_([program = program_](kj::Exception&& e) {
       if (e.getType() != Type::FAILED) return;
-      printUnlessFull(program + ": " + plain(rpc::describe(e)));
+      rt::printUnlessFull(program + ": " + plain(loop::describe(e)));
     }));
   }
 }
@@ -136,7 +137,7 @@ void ManagerLease::update(std::vector<ComponentRecord> components) {
 kj::Promise<ProcessRecord> ManagerLease::resolve(const std::string& process, Duration wait) {
   KJ_IF_MAYBE (session, session_) {
     auto request = session->resolveRequest();
-    request.setProcess(textOf(process));
+    request.setProcess(codec::textOf(process));
     const Duration bounded = std::clamp(wait, Duration{0}, kLongestWait);
     request.setWaitMilliseconds(
         static_cast<std::uint32_t>(std::chrono::ceil<std::chrono::milliseconds>(bounded).count()));
@@ -156,7 +157,7 @@ kj::Promise<std::vector<ProcessRecord>> ManagerLease::list() {
 }
 
 kj::Exception ManagerLease::gone() const {
-  return rpc::disconnected("the global manager at " + manager_.text() + " is gone");
+  return loop::disconnected("the global manager at " + manager_.text() + " is gone");
 }
 
 }  // namespace suture

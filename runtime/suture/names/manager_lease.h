@@ -19,12 +19,12 @@ namespace suture {
 /// was gone or silent, or to its successor, as often as needed.
 class ManagerLease {
  public:
-  ManagerLease(rpc::ControlThread& control, const rpc::Address& manager, std::string program,
-               rpc::Trust trust);
+  ManagerLease(loop::ControlThread& control, const net::Address& manager, std::string program,
+               net::Trust trust);
 
-  const rpc::Address& address() const { return manager_; }
+  const net::Address& address() const { return manager_; }
   /// Once open: returns where peers of the network of the manager reach this machine, with port 0.
-  const rpc::Address& here() const { return here_; }
+  const net::Address& here() const { return here_; }
 
   /// Reaches the manager. Rejects with what was found and what to do, as DISCONNECTED if trying
   /// again may help.
@@ -55,13 +55,13 @@ class ManagerLease {
   void drop();
   kj::Exception gone() const;
 
-  rpc::ControlThread& control_;
-  const rpc::Address manager_;
+  loop::ControlThread& control_;
+  const net::Address manager_;
   const std::string program_;
-  const rpc::Trust trust_;
-  rpc::HostLookup lookup_;
-  rpc::Address here_;
-  kj::Maybe<kj::Own<rpc::Link>> link_;
+  const net::Trust trust_;
+  net::HostLookup lookup_;
+  net::Address here_;
+  kj::Maybe<kj::Own<framing::Link>> link_;
   kj::Maybe<wire::Session::Client> session_;
   kj::Maybe<wire::Lease::Client> lease_;
   ProcessRecord process_;

@@ -33,10 +33,10 @@ struct ManagerLink::Failures {
   std::vector<std::optional<kj::Exception>> all;
 };
 
-ManagerLink::ManagerLink(rpc::ControlThread& control, const std::vector<rpc::Address>& managers,
-                         const std::string& program, const rpc::Trust& trust)
+ManagerLink::ManagerLink(loop::ControlThread& control, const std::vector<net::Address>& managers,
+                         const std::string& program, const net::Trust& trust)
     : control_(control), trust_(trust) {
-  for (const rpc::Address& manager : managers) {
+  for (const net::Address& manager : managers) {
     leases_.push_back(std::make_unique<ManagerLease>(control, manager, program, trust));
   }
 }
@@ -65,7 +65,7 @@ kj::Promise<void> ManagerLink::open(Duration patience) {
                              failures->first(Type::OVERLOADED) != nullptr;
         if (!mayHelp || left <= Duration{0}) return notOpen(*failures);
         return control_.timer()
-            .afterDelay(rpc::toKj(std::min(left, kPause)))
+            .afterDelay(loop::toKj(std::min(left, kPause)))
             .then([this, deadline] { return open(deadline - now()); });
       });
 }
@@ -73,11 +73,11 @@ kj::Promise<void> ManagerLink::open(Duration patience) {
 kj::Exception ManagerLink::notOpen(const Failures& failures) const {
   const kj::Exception& first = *failures.all.front();
   if (first.getType() != Type::DISCONNECTED) return kj::cp(first);
-  const rpc::Address& address = leases_.front()->address();
+  const net::Address& address = leases_.front()->address();
   std::string text =
-      "reach the global manager: " + rpc::describe(first) + " " + howToStartManager(address);
+      "reach the global manager: " + loop::describe(first) + " " + howToStartManager(address);
   if (leases_.size() > 1) text += ". None of " + missing() + " answers";
-  return rpc::failure(Type::FAILED, text);
+  return loop::failure(Type::FAILED, text);
 }
 
 kj::Promise<void> ManagerLink::enrol(const ProcessRecord& process) {
@@ -114,7 +114,7 @@ kj::Promise<ProcessRecord> ManagerLink::resolve(const std::string& process, Dura
         }
         if (left <= Duration{0}) return gone("find process '" + process + "'");
         return control_.timer()
-            .afterDelay(rpc::toKj(std::min(left, kPause)))
+            .afterDelay(loop::toKj(std::min(left, kPause)))
             .then([this, process, deadline] { return resolve(process, deadline - now()); });
       });
 }
@@ -138,12 +138,12 @@ kj::Promise<ProcessRecord> ManagerLink::askAll(const std::string& process, Durat
   return first;
 }
 
-kj::Promise<rpc::ByteStream> ManagerLink::reach(const ProcessRecord& process, Duration limit) {
+kj::Promise<net::ByteStream> ManagerLink::reach(const ProcessRecord& process, Duration limit) {
   try {
-    const rpc::Address address = addressOf(process, nearest().address());  // all are of one kind
-    return rpc::reach(control_.port(), address, trust_, process.name, limit);
+    const net::Address address = addressOf(process, nearest().address());  // all are of one kind
+    return net::reach(control_.port(), address, trust_, process.name, limit);
   } catch (const SetupError& error) {
-    return rpc::failure(Type::FAILED, error.what());
+    return loop::failure(Type::FAILED, error.what());
   }
 }
 
@@ -162,8 +162,8 @@ std::string ManagerLink::missing() const {
 }
 
 kj::Exception ManagerLink::gone(const std::string& asked) const {
-  return rpc::disconnected(asked + ": the global manager at " + missing() +
-                           " is gone. Start it again.");
+  return loop::disconnected(asked + ": the global manager at " + missing() +
+                            " is gone. Start it again.");
 }
 
 }  // namespace suture

@@ -15,8 +15,8 @@ namespace suture {
 class ManagerLink {
  public:
   /// `managers` has at least one, in the order in which they are asked for names.
-  ManagerLink(rpc::ControlThread& control, const std::vector<rpc::Address>& managers,
-              const std::string& program, const rpc::Trust& trust = {});
+  ManagerLink(loop::ControlThread& control, const std::vector<net::Address>& managers,
+              const std::string& program, const net::Trust& trust = {});
 
   /// Resolves as soon as one manager answers and the others have answered or failed; tries again
   /// for `patience`. Rejects with what was found and what to do.
@@ -34,12 +34,12 @@ class ManagerLink {
   kj::Promise<std::vector<ProcessRecord>> list();
 
   /// Returns the address of the first manager that answers.
-  const rpc::Address& address() const { return nearest().address(); }
+  const net::Address& address() const { return nearest().address(); }
   /// Once open: returns where peers of the network of that manager reach this machine, with port 0.
-  const rpc::Address& here() const { return nearest().here(); }
-  /// Resolves to a stream to a process that the managers know, at its addressOf(). rpc::reach()
+  const net::Address& here() const { return nearest().here(); }
+  /// Resolves to a stream to a process that the managers know, at its addressOf(). net::reach()
   /// says what `limit` holds for.
-  kj::Promise<rpc::ByteStream> reach(const ProcessRecord& process, Duration limit);
+  kj::Promise<net::ByteStream> reach(const ProcessRecord& process, Duration limit);
   /// Any thread. Returns the addresses of the managers that do not answer or do not know this
   /// process.
   std::string missing() const;
@@ -54,8 +54,8 @@ class ManagerLink {
   kj::Exception notOpen(const Failures& failures) const;
   kj::Exception gone(const std::string& asked) const;
 
-  rpc::ControlThread& control_;
-  const rpc::Trust trust_;
+  loop::ControlThread& control_;
+  const net::Trust trust_;
   Leases leases_;
 };
 

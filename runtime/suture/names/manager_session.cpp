@@ -13,8 +13,8 @@ constexpr std::uint32_t kLongestWaitMilliseconds = 60'000;
 /// Knows who asks at a link, reports what that peer is refused, and counts what the registry holds
 /// for it.
 struct Asker {
-  rpc::PeerIdentity identity;
-  rpc::Refusals& refusals;
+  net::PeerIdentity identity;
+  net::Refusals& refusals;
   std::shared_ptr<Holding> holding = std::make_shared<Holding>();
 
   void refuse(const Refusal& refusal, wire::Refusal::Builder out) const {
@@ -39,7 +39,7 @@ class LeaseServer final : public wire::Lease::Server {
                                                    fromWire(context.getParams().getComponents()));
     if (updated) return kj::READY_NOW;
     asker_.refusals.add(asker_.identity.text(), updated.error().text);
-    return rpc::failure(kj::Exception::Type::FAILED, updated.error().text);
+    return loop::failure(kj::Exception::Type::FAILED, updated.error().text);
   }
 
   kj::Promise<void> renew(RenewContext context) override {
@@ -87,7 +87,7 @@ class SessionServer final : public wire::Session::Server {
   }
 
   kj::Promise<void> resolve(ResolveContext context) override {
-    const std::string name = stringOf(context.getParams().getProcess());
+    const std::string name = codec::stringOf(context.getParams().getProcess());
     const std::uint32_t wait = context.getParams().getWaitMilliseconds();
     if (const auto refusal = Registry::whyTooLong(name)) {
       asker_.refuse(*refusal, context.getResults().initRefused());
@@ -115,7 +115,8 @@ class SessionServer final : public wire::Session::Server {
   }
 
   kj::Promise<void> list(ListContext context) override {
-    const Registry::Page page = names_->registry().list(stringOf(context.getParams().getAfter()));
+    const Registry::Page page =
+        names_->registry().list(codec::stringOf(context.getParams().getAfter()));
     auto results = context.getResults();
     results.setMore(page.more);
     const auto count = static_cast<unsigned>(page.processes.size());
@@ -131,8 +132,8 @@ class SessionServer final : public wire::Session::Server {
 
 class GlobalManagerServer final : public wire::GlobalManager::Server {
  public:
-  GlobalManagerServer(kj::Own<NameService> names, rpc::Refusals& refusals,
-                      std::shared_ptr<rpc::Caller> caller)
+  GlobalManagerServer(kj::Own<NameService> names, net::Refusals& refusals,
+                      std::shared_ptr<framing::Caller> caller)
       : names_(kj::mv(names)),
         caller_(std::move(caller)),
         asker_{.identity = caller_->identity, .refusals = refusals} {}
@@ -147,7 +148,7 @@ class GlobalManagerServer final : public wire::GlobalManager::Server {
     } else {
       asker_.refuse({Kind::VERSION_MISMATCH, "talk to the global manager: it speaks version " +
                                                  std::to_string(ours) + " of the protocol and '" +
-                                                 stringOf(context.getParams().getProgram()) +
+                                                 codec::stringOf(context.getParams().getProgram()) +
                                                  "' speaks version " + std::to_string(theirs) +
                                                  ". Build both from the same release."},
                     context.getResults().initRefused());
@@ -157,7 +158,7 @@ class GlobalManagerServer final : public wire::GlobalManager::Server {
 
  private:
   kj::Own<NameService> names_;
-  const std::shared_ptr<rpc::Caller> caller_;
+  const std::shared_ptr<framing::Caller> caller_;
   const Asker asker_;  // shared by all sessions on the link, and so is what it may hold
 };
 
@@ -213,8 +214,8 @@ kj::Promise<void> NameService::whenKnown(const std::string& name, std::uint32_t 
   return pair.promise.exclusiveJoin(timer_.afterDelay(wait));
 }
 
-wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names, rpc::Refusals& refusals,
-                                              std::shared_ptr<rpc::Caller> caller) {
+wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names, net::Refusals& refusals,
+                                              std::shared_ptr<framing::Caller> caller) {
   return kj::heap<GlobalManagerServer>(kj::mv(names), refusals, std::move(caller));
 }
 

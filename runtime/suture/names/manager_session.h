@@ -53,7 +53,7 @@ class NameService final : public kj::Refcounted {
 
 /// Returns the bootstrap capability of the global manager on the link of `caller`: it gives a
 /// session to a client that speaks its version. Adds what it refuses to `refusals`.
-wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names, rpc::Refusals& refusals,
-                                              std::shared_ptr<rpc::Caller> caller);
+wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names, net::Refusals& refusals,
+                                              std::shared_ptr<framing::Caller> caller);
 
 }  // namespace suture

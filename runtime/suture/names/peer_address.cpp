@@ -20,18 +20,18 @@ constexpr std::string_view kEnd = ".sock";
 
 constexpr pid_t kLargestNumber = 4'194'304;  // of a process: PID_MAX_LIMIT of the kernel
 
-rpc::Address socketAt(const fs::path& path) {
-  rpc::Address address;
+net::Address socketAt(const fs::path& path) {
+  net::Address address;
   address.path = path.string();
   return address;
 }
 
 // Peers may run in another folder, for which a relative path leads elsewhere.
-fs::path directoryOf(const rpc::Address& manager) {
+fs::path directoryOf(const net::Address& manager) {
   return fs::absolute(manager.path).parent_path();
 }
 
-rpc::Address socketOf(const fs::path& directory, const std::string& process, pid_t number) {
+net::Address socketOf(const fs::path& directory, const std::string& process, pid_t number) {
   return socketAt(directory / (process + "." + std::to_string(number) + std::string(kEnd)));
 }
 
@@ -50,7 +50,7 @@ pid_t ownerOf(std::string_view name, std::string_view process) {
 
 /// Returns the path of the socket that a file belongs to.
 fs::path socketBehind(const fs::path& file) {
-  return file.extension() == rpc::Listener::kLockEnd ? fs::path(file).replace_extension() : file;
+  return file.extension() == net::Listener::kLockEnd ? fs::path(file).replace_extension() : file;
 }
 
 bool isGone(pid_t process) { return process > 0 && kill(process, 0) != 0 && errno == ESRCH; }
@@ -64,29 +64,29 @@ void removeLeftovers(const fs::path& directory, const std::string& process) {
     const fs::path socket = socketBehind(entry.path());
     if (isGone(ownerOf(socket.filename().string(), process))) left.insert(socket);
   }
-  for (const fs::path& socket : left) rpc::Listener::removeLeftover(socketAt(socket));
+  for (const fs::path& socket : left) net::Listener::removeLeftover(socketAt(socket));
 }
 
 }  // namespace
 
-rpc::Address longestPeerAddress(const rpc::Address& manager, const std::string& process) {
+net::Address longestPeerAddress(const net::Address& manager, const std::string& process) {
   return socketOf(directoryOf(manager), process, kLargestNumber);
 }
 
-rpc::Address peerAddress(const ManagerLink& link, const std::string& process) {
-  const rpc::Address& manager = link.address();
-  if (manager.kind != rpc::Address::Kind::Unix) return link.here();
+net::Address peerAddress(const ManagerLink& link, const std::string& process) {
+  const net::Address& manager = link.address();
+  if (manager.kind != net::Address::Kind::Unix) return link.here();
   const fs::path directory = directoryOf(manager);
   removeLeftovers(directory, process);
   return socketOf(directory, process, getpid());
 }
 
-rpc::Address addressOf(const ProcessRecord& process, const rpc::Address& manager) {
+net::Address addressOf(const ProcessRecord& process, const net::Address& manager) {
   if (process.addresses.empty()) {
     throw SetupError("reach process '" + process.name + "'", "it has no address", "Restart it.");
   }
-  const auto address = rpc::Address::parse(process.addresses.front());
-  const bool leavesTls = manager.kind == rpc::Address::Kind::Tls && address.kind != manager.kind;
+  const auto address = net::Address::parse(process.addresses.front());
+  const bool leavesTls = manager.kind == net::Address::Kind::Tls && address.kind != manager.kind;
   if (!leavesTls && (manager.insecure || !address.insecure)) return address;
   throw SetupError("connect to process '" + process.name + "'",
                    "it listens at " + address.text() + ", and the global manager is reached at " +

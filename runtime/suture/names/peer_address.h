@@ -10,17 +10,17 @@ namespace suture {
 
 /// Returns the longest address that peerAddress() may return for a manager at this Unix socket: the
 /// number of the process is part of it.
-rpc::Address longestPeerAddress(const rpc::Address& manager, const std::string& process);
+net::Address longestPeerAddress(const net::Address& manager, const std::string& process);
 
 /// Returns an address next to the manager's: a socket in the same directory, or a free port at the
 /// address by which this machine reaches it. Removes what dead processes of this name have left in
 /// that directory, since a process that was killed cannot. It does not check how long the path is:
 /// the listener refuses one that is too long.
-rpc::Address peerAddress(const ManagerLink& link, const std::string& process);
+net::Address peerAddress(const ManagerLink& link, const std::string& process);
 
 /// Returns where a process is reached that the manager at that address knows. It is no less safe
 /// than the link to the manager: what that has got from others does not lead out of TLS. Throws
 /// SetupError.
-rpc::Address addressOf(const ProcessRecord& process, const rpc::Address& manager);
+net::Address addressOf(const ProcessRecord& process, const net::Address& manager);
 
 }  // namespace suture

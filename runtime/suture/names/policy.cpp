@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-using rpc::PeerIdentity;
+using net::PeerIdentity;
 
 constexpr std::string_view kProcess = "process:";
 constexpr std::string_view kUser = "user:";
@@ -39,7 +39,7 @@ bool concerns(const std::string& who, const PeerIdentity& peer) {
   switch (peer.proof) {
     case PeerIdentity::Proof::None: return who == "tcp";
     case PeerIdentity::Proof::User:
-      return who == "user:same" ? rpc::isTrusted(peer.user, {}) : userOf(who) == peer.user;
+      return who == "user:same" ? net::isTrusted(peer.user, {}) : userOf(who) == peer.user;
     case PeerIdentity::Proof::Certificate:
       return who.starts_with(kProcess) && matches(who.substr(kProcess.size()), peer.process);
   }

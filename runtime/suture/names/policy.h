@@ -44,14 +44,14 @@ class Policy {
   explicit Policy(std::vector<Rule> rules) : rules_(std::move(rules)) {}
 
   /// Returns true if the peer may do anything at all.
-  bool admits(const rpc::PeerIdentity& peer) const;
+  bool admits(const net::PeerIdentity& peer) const;
   /// `provided` includes its process.
-  Access access(const rpc::PeerIdentity& peer, const Endpoint& provided) const;
+  Access access(const net::PeerIdentity& peer, const Endpoint& provided) const;
   /// Returns the users that rules name by number.
   std::vector<uid_t> users() const;
 
  private:
-  const Role* roleOf(const rpc::PeerIdentity& peer) const;
+  const Role* roleOf(const net::PeerIdentity& peer) const;
 
   std::optional<std::vector<Rule>> rules_;
 };

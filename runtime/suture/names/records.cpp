@@ -8,9 +8,9 @@ using WireInterfaces = capnp::List<wire::InterfaceRecord>;
 
 void interfacesToWire(const std::vector<InterfaceRecord>& interfaces, WireInterfaces::Builder out) {
   for (unsigned i = 0; i < interfaces.size(); ++i) {
-    out[i].setName(textOf(interfaces[i].name));
-    out[i].setContract(textOf(interfaces[i].contract));
-    out[i].setHash(textOf(interfaces[i].hash));
+    out[i].setName(codec::textOf(interfaces[i].name));
+    out[i].setContract(codec::textOf(interfaces[i].contract));
+    out[i].setHash(codec::textOf(interfaces[i].hash));
     toWire(interfaces[i].frames, out[i].initFrames());
   }
 }
@@ -18,8 +18,8 @@ void interfacesToWire(const std::vector<InterfaceRecord>& interfaces, WireInterf
 std::vector<InterfaceRecord> interfacesFromWire(WireInterfaces::Reader in) {
   std::vector<InterfaceRecord> interfaces;
   for (const auto& one : in) {
-    interfaces.push_back({stringOf(one.getName()), stringOf(one.getContract()),
-                          stringOf(one.getHash()), fromWire(one.getFrames())});
+    interfaces.push_back({codec::stringOf(one.getName()), codec::stringOf(one.getContract()),
+                          codec::stringOf(one.getHash()), fromWire(one.getFrames())});
   }
   return interfaces;
 }
@@ -57,39 +57,39 @@ void toWire(const std::vector<ComponentRecord>& components,
             capnp::List<wire::ComponentRecord>::Builder out) {
   for (unsigned i = 0; i < components.size(); ++i) {
     const ComponentRecord& component = components[i];
-    out[i].setName(textOf(component.name));
+    out[i].setName(codec::textOf(component.name));
     interfacesToWire(component.provided, out[i].initProvided(sizeOf(component.provided)));
     interfacesToWire(component.required, out[i].initRequired(sizeOf(component.required)));
   }
 }
 
 void toWire(const ProcessRecord& process, wire::ProcessRecord::Builder out) {
-  out.setName(textOf(process.name));
+  out.setName(codec::textOf(process.name));
   auto addresses = out.initAddresses(sizeOf(process.addresses));
   for (unsigned i = 0; i < process.addresses.size(); ++i) {
-    addresses.set(i, textOf(process.addresses[i]));
+    addresses.set(i, codec::textOf(process.addresses[i]));
   }
   out.setPid(process.pid);
-  out.setHost(textOf(process.host));
+  out.setHost(codec::textOf(process.host));
   toWire(process.components, out.initComponents(sizeOf(process.components)));
   out.setGeneration(process.generation);
   out.setSilent(process.silent);
 }
 
 void toWire(const Frames& frames, wire::Frames::Builder out) {
-  out.setReference(textOf(frames.reference));
-  out.setMoving(textOf(frames.moving));
+  out.setReference(codec::textOf(frames.reference));
+  out.setMoving(codec::textOf(frames.moving));
 }
 
 void toWire(const Refusal& refusal, wire::Refusal::Builder out) {
   out.setKind(refusal.kind);
-  out.setText(textOf(refusal.text));
+  out.setText(codec::textOf(refusal.text));
 }
 
 std::vector<ComponentRecord> fromWire(capnp::List<wire::ComponentRecord>::Reader in) {
   std::vector<ComponentRecord> components;
   for (const auto& one : in) {
-    components.push_back({stringOf(one.getName()), interfacesFromWire(one.getProvided()),
+    components.push_back({codec::stringOf(one.getName()), interfacesFromWire(one.getProvided()),
                           interfacesFromWire(one.getRequired())});
   }
   return components;
@@ -97,10 +97,11 @@ std::vector<ComponentRecord> fromWire(capnp::List<wire::ComponentRecord>::Reader
 
 ProcessRecord fromWire(wire::ProcessRecord::Reader in) {
   ProcessRecord process;
-  process.name = stringOf(in.getName());
-  for (const auto address : in.getAddresses()) process.addresses.push_back(stringOf(address));
+  process.name = codec::stringOf(in.getName());
+  for (const auto address : in.getAddresses())
+    process.addresses.push_back(codec::stringOf(address));
   process.pid = in.getPid();
-  process.host = stringOf(in.getHost());
+  process.host = codec::stringOf(in.getHost());
   process.components = fromWire(in.getComponents());
   process.generation = in.getGeneration();
   process.silent = in.getSilent();
@@ -108,13 +109,13 @@ ProcessRecord fromWire(wire::ProcessRecord::Reader in) {
 }
 
 Frames fromWire(wire::Frames::Reader in) {
-  return {stringOf(in.getReference()), stringOf(in.getMoving())};
+  return {codec::stringOf(in.getReference()), codec::stringOf(in.getMoving())};
 }
 
-Refusal fromWire(wire::Refusal::Reader in) { return {in.getKind(), stringOf(in.getText())}; }
+Refusal fromWire(wire::Refusal::Reader in) { return {in.getKind(), codec::stringOf(in.getText())}; }
 
 kj::Exception refused(wire::Refusal::Reader in) {
-  return rpc::failure(kj::Exception::Type::FAILED, fromWire(in).text);
+  return loop::failure(kj::Exception::Type::FAILED, fromWire(in).text);
 }
 
 }  // namespace suture

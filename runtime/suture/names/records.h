@@ -2,8 +2,8 @@
 // The global manager knows this of a process, as plain values.
 
 #include <suture/base/frames.h>
+#include <suture/codec/text.h>
 #include <suture/manager.capnp.h>
-#include <suture/wire/text.h>
 
 #include <cstdint>
 #include <string>

@@ -15,7 +15,7 @@ struct Security {
   Policy policy{};
 
   /// Returns which peers this process trusts, by its keys and its policy.
-  rpc::Trust trust() const { return {.keys = keys, .users = policy.users()}; }
+  net::Trust trust() const { return {.keys = keys, .users = policy.users()}; }
 };
 
 }  // namespace suture

@@ -6,28 +6,28 @@ namespace suture {
 namespace {
 
 /// Returns what `failure` means, which came instead of an answer: something else may listen there.
-kj::Exception notGreeted(const rpc::Address& address, const kj::Exception& failure) {
+kj::Exception notGreeted(const net::Address& address, const kj::Exception& failure) {
   const std::string asked = "talk to " + address.text() + ": ";
   if (failure.getType() != kj::Exception::Type::UNIMPLEMENTED) {
-    return rpc::failure(failure.getType(), asked + rpc::describe(failure));
+    return loop::failure(failure.getType(), asked + loop::describe(failure));
   }
-  return rpc::failure(kj::Exception::Type::FAILED,
-                      asked + "what listens there is no global manager. Correct the address.");
+  return loop::failure(kj::Exception::Type::FAILED,
+                       asked + "what listens there is no global manager. Correct the address.");
 }
 
 }  // namespace
 
-std::string howToStartManager(const rpc::Address& address) {
-  const bool needsKeys = address.kind == rpc::Address::Kind::Tls;
+std::string howToStartManager(const net::Address& address) {
+  const bool needsKeys = address.kind == net::Address::Kind::Tls;
   return "If it does not run, start it with: suture-manager --listen " + address.text() +
          (needsKeys ? " --keys FOLDER" : "");
 }
 
 kj::Promise<wire::Session::Client> greet(wire::GlobalManager::Client manager,
-                                         const std::string& program, const rpc::Address& address) {
+                                         const std::string& program, const net::Address& address) {
   auto request = manager.helloRequest();
   request.setVersion(wire::PROTOCOL_VERSION);
-  request.setProgram(textOf(program));
+  request.setProgram(codec::textOf(program));
   using Greeted = kj::Promise<wire::Session::Client>;
   return request.send().then(
       [](auto&& results) -> Greeted {
@@ -37,7 +37,7 @@ kj::Promise<wire::Session::Client> greet(wire::GlobalManager::Client manager,
       [address](kj::Exception&& failure) -> Greeted { return notGreeted(address, failure); });
 }
 
-std::string noManagerAnswers(const rpc::Address& address) {
+std::string noManagerAnswers(const net::Address& address) {
   return "talk to " + address.text() +
          ": what listens there does not answer as a global manager. Check the address; if it is "
          "right, restart the manager.";

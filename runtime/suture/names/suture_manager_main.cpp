@@ -46,9 +46,9 @@ suture::Security securityOf(const Options& options) {
 }
 
 void serve(const Options& options) {
-  const suture::SignalWait toldToEnd;
+  const suture::loop::SignalWait toldToEnd;
   suture::GlobalManager::makeDirectory(options.address);
-  suture::rpc::ControlThread control;
+  suture::loop::ControlThread control;
   const suture::GlobalManager manager(control, options.address, securityOf(options));
   std::printf("suture-manager: ready on %s\n", manager.address().c_str());
   std::fflush(stdout);
@@ -58,7 +58,7 @@ void serve(const Options& options) {
 int help(const CLI::App& app, const CLI::ParseError& asked) {
   std::ostringstream text;
   const int status = app.exit(asked, text, text);
-  suture::writeOut(text.str());
+  suture::loop::writeOut(text.str());
   return status;
 }
 
@@ -79,8 +79,8 @@ int run(CLI::App& app, const Options& options, int argc, const char* const* argv
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
-  suture::openStandardDescriptors();
-  suture::allowAllDescriptors();
+  suture::loop::openStandardDescriptors();
+  suture::loop::allowAllDescriptors();
   CLI::App app{
       "Knows the names of the processes of a Suture system, so that they find each other."};
   Options options;

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cstring>
 
-namespace suture::rpc {
+namespace suture::net {
 namespace {
 
 constexpr std::string_view kUnix = "unix:";
@@ -179,4 +179,4 @@ SocketAddress::SocketAddress(const Address& address) {
   }
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::net {
 
 /// This is a parsed address, a value.
 struct Address {
@@ -53,4 +53,4 @@ struct SocketAddress {
   socklen_t length = 0;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace suture::rpc {
+namespace suture::net {
 
 ByteStream::ByteStream(kj::AutoCloseFd socket, std::unique_ptr<tls::Session> session)
     : socket_(kj::mv(socket)), session_(std::move(session)) {}
@@ -51,8 +51,8 @@ void ByteStream::cut() { shutdown(socket_, SHUT_RDWR); }
 
 kj::Exception ByteStream::lost(int error) const {
   const bool explained = session_ != nullptr && error == EPROTO;
-  return disconnected("connection lost: " +
-                      (explained ? session_->failure() : std::string(std::strerror(error))));
+  return loop::disconnected("connection lost: " +
+                            (explained ? session_->failure() : std::string(std::strerror(error))));
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -17,7 +17,7 @@ namespace suture::tls {
 class Session;
 }
 
-namespace suture::rpc {
+namespace suture::net {
 
 /// One thread. Sends and receives bytes over a non-blocking stream socket: as they are or, with a
 /// session, inside TLS.
@@ -61,4 +61,4 @@ class ByteStream {
   std::unique_ptr<tls::Session> session_;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace suture::rpc {
+namespace suture::net {
 namespace {
 
 struct Control {
@@ -83,4 +83,4 @@ Descriptors duplicate(kj::ArrayPtr<const int> descriptors) {
   return own;
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::net

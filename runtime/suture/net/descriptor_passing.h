@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::net {
 
 using Descriptors = std::vector<kj::AutoCloseFd>;
 
@@ -50,4 +50,4 @@ class AttachedDescriptors {
 /// Duplicates `descriptors`. Those that cannot be duplicated are left out.
 Descriptors duplicate(kj::ArrayPtr<const int> descriptors);
 
-}  // namespace suture::rpc
+}  // namespace suture::net

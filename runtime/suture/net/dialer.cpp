@@ -6,15 +6,16 @@
 #include <cerrno>
 #include <cstring>
 
-namespace suture::rpc {
+namespace suture::net {
 namespace {
 
 kj::Exception cannotConnect(const Address& address, int error) {
   std::string found = std::strerror(error);
   if (error == ENOENT) found = "there is no such socket";
   if (error == ECONNREFUSED) found = "nobody listens there";
-  return disconnected("connect to " + address.text() + ": " + found +
-                      ". Start the process that should listen there, or correct the address.");
+  return loop::disconnected(
+      "connect to " + address.text() + ": " + found +
+      ". Start the process that should listen there, or correct the address.");
 }
 
 int pendingError(int socket) {
@@ -24,9 +25,9 @@ int pendingError(int socket) {
 }
 
 /// Waits until a connection that was started is made.
-kj::Promise<kj::AutoCloseFd> finish(EventPort& port, kj::AutoCloseFd socket,
+kj::Promise<kj::AutoCloseFd> finish(loop::EventPort& port, kj::AutoCloseFd socket,
                                     const Address& address) {
-  auto observer = kj::heap<WriteObserver>(port, socket);
+  auto observer = kj::heap<loop::WriteObserver>(port, socket);
   auto writable = observer->whenWritable();
   return writable.attach(kj::mv(observer))
       .then([socket = kj::mv(socket), address]() mutable -> kj::Promise<kj::AutoCloseFd> {
@@ -37,7 +38,7 @@ kj::Promise<kj::AutoCloseFd> finish(EventPort& port, kj::AutoCloseFd socket,
 
 /// Tries to connect. A Unix socket whose listener is busy refuses only for the moment, so it tries
 /// again.
-kj::Promise<kj::AutoCloseFd> tryConnect(EventPort& port, const Address& address) {
+kj::Promise<kj::AutoCloseFd> tryConnect(loop::EventPort& port, const Address& address) {
   kj::AutoCloseFd socket = openSocket(address);
   if (address.kind != Address::Kind::Unix) sendWithoutDelay(socket);
   const SocketAddress target(address);
@@ -51,7 +52,8 @@ kj::Promise<kj::AutoCloseFd> tryConnect(EventPort& port, const Address& address)
 
 }  // namespace
 
-kj::Promise<kj::AutoCloseFd> dial(EventPort& port, const Address& address, Duration deadline) {
+kj::Promise<kj::AutoCloseFd> dial(loop::EventPort& port, const Address& address,
+                                  Duration deadline) {
   auto late = port.getTimer()
                   .afterDelay(deadline.count() * kj::NANOSECONDS)
                   .then([address]() -> kj::Promise<kj::AutoCloseFd> {
@@ -60,4 +62,4 @@ kj::Promise<kj::AutoCloseFd> dial(EventPort& port, const Address& address, Durat
   return kj::evalNow([&] { return tryConnect(port, address); }).exclusiveJoin(kj::mv(late));
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -6,10 +6,10 @@
 #include <suture/loop/event_port.h>
 #include <suture/net/address.h>
 
-namespace suture::rpc {
+namespace suture::net {
 
 /// The control thread. Returns a connected, non-blocking socket (TCP without delay), or rejects
 /// with what was asked, what was found and what to do. Gives up at `deadline` from now.
-kj::Promise<kj::AutoCloseFd> dial(EventPort& port, const Address& address, Duration deadline);
+kj::Promise<kj::AutoCloseFd> dial(loop::EventPort& port, const Address& address, Duration deadline);
 
-}  // namespace suture::rpc
+}  // namespace suture::net

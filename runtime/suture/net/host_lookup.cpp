@@ -11,7 +11,7 @@
 #include <system_error>
 #include <thread>
 
-namespace suture::rpc {
+namespace suture::net {
 namespace {
 
 // Bounds the wait when we know where the host was: it need not take long to hear whether it has
@@ -96,7 +96,8 @@ struct HostLookup::Question {
   std::string why;
 };
 
-HostLookup::HostLookup(EventPort& port, const Address& address) : port_(port), address_(address) {}
+HostLookup::HostLookup(loop::EventPort& port, const Address& address)
+    : port_(port), address_(address) {}
 
 kj::Promise<std::vector<Address>> HostLookup::places(Duration limit) {
   if (address_.isNumeric()) return std::vector<Address>{address_};
@@ -104,14 +105,14 @@ kj::Promise<std::vector<Address>> HostLookup::places(Duration limit) {
     answer_ = kj::evalNow([this] { return ask(); })
                   .catch_([this](kj::Exception&& failure) {
                     asking_ = false;
-                    why_ = describe(failure);
+                    why_ = loop::describe(failure);
                   })
                   .fork();
   }
   auto answered = answer_.addBranch().then([this] { return known(why_); });
   auto late =
       port_.getTimer()
-          .afterDelay(toKj(known_.empty() ? limit : std::min(limit, kToHearAgain)))
+          .afterDelay(loop::toKj(known_.empty() ? limit : std::min(limit, kToHearAgain)))
           .then([this] {
             return known(asked(address_) + ": the name service does not answer. " + kRemedy);
           });
@@ -119,18 +120,18 @@ kj::Promise<std::vector<Address>> HostLookup::places(Duration limit) {
 }
 
 kj::Promise<std::vector<Address>> HostLookup::known(const std::string& why) const {
-  if (known_.empty()) return disconnected(why);
+  if (known_.empty()) return loop::disconnected(why);
   return known_;
 }
 
 kj::Promise<void> HostLookup::ask() {
   auto question = std::make_shared<Question>(address_);
   if (question->answered.get() < 0) {
-    return disconnected(asked(address_) + ": " + std::strerror(errno) +
-                        ". Raise the limit of open files (ulimit -n).");
+    return loop::disconnected(asked(address_) + ": " + std::strerror(errno) +
+                              ". Raise the limit of open files (ulimit -n).");
   }
-  auto observer = kj::heap<EventPort::FdObserver>(port_, question->answered,
-                                                  EventPort::FdObserver::OBSERVE_READ);
+  auto observer = kj::heap<loop::EventPort::FdObserver>(port_, question->answered,
+                                                        loop::EventPort::FdObserver::OBSERVE_READ);
   auto answered = observer->whenBecomesReadable();
   try {
     std::thread([question] {
@@ -138,7 +139,8 @@ kj::Promise<void> HostLookup::ask() {
       question->ask();
     }).detach();
   } catch (const std::system_error& error) {
-    return disconnected(asked(address_) + ": " + error.what() + ". Let this process have threads.");
+    return loop::disconnected(asked(address_) + ": " + error.what() +
+                              ". Let this process have threads.");
   }
   return answered.attach(kj::mv(observer)).then([this, question] {
     question->take();
@@ -148,4 +150,4 @@ kj::Promise<void> HostLookup::ask() {
   });
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::net {
 
 /// Returns the address with a number in place of its host's name. If it has a number already,
 /// returns it as it is; else returns what the system's name service says, the best first, and
@@ -21,7 +21,7 @@ std::vector<Address> lookUp(const Address& address);
 /// answers.
 class HostLookup {
  public:
-  HostLookup(EventPort& port, const Address& address);
+  HostLookup(loop::EventPort& port, const Address& address);
 
   /// Returns where the host is now, or where it was last if the name service does not say. If it
   /// never did, rejects as DISCONNECTED, with what was found and what to do. Takes no longer than
@@ -34,7 +34,7 @@ class HostLookup {
   kj::Promise<void> ask();
   kj::Promise<std::vector<Address>> known(const std::string& why) const;
 
-  EventPort& port_;
+  loop::EventPort& port_;
   const Address address_;
   std::vector<Address> known_;
   std::string why_;  // why the latest question had no answer
@@ -42,4 +42,4 @@ class HostLookup {
   kj::ForkedPromise<void> answer_ = kj::Promise<void>(kj::READY_NOW).fork();
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::net

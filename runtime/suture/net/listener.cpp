@@ -13,7 +13,7 @@
 #include <cstring>
 #include <string>
 
-namespace suture::rpc {
+namespace suture::net {
 namespace {
 
 constexpr int kBacklog = 128;
@@ -141,11 +141,11 @@ void Listener::removeLeftover(const Address& address) {
   if (lock.error() == 0 && isStale(address)) unlink(address.path.c_str());
 }
 
-Listener::Listener(EventPort& port, const Address& address, Opens opens)
+Listener::Listener(loop::EventPort& port, const Address& address, Opens opens)
     : port_(port),
       address_(address),
       socket_(bindTo(address, opens)),
-      observer_(port, socket_, EventPort::FdObserver::OBSERVE_READ) {
+      observer_(port, socket_, loop::EventPort::FdObserver::OBSERVE_READ) {
   if (address_.kind != Address::Kind::Unix) {
     address_.port = boundPort(socket_, address.port);
   } else {
@@ -190,4 +190,4 @@ kj::Promise<void> Listener::acceptLater(kj::Duration pause) {
   return port_.getTimer().afterDelay(pause).then([this] { return acceptAll(); });
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -9,7 +9,7 @@
 
 #include <sys/types.h>
 
-namespace suture::rpc {
+namespace suture::net {
 
 /// Belongs to the control thread. A Listener is a listening socket.
 ///
@@ -24,7 +24,7 @@ class Listener {
 
   /// Throws SetupError if the address is in use, there is no such directory, or there is no
   /// permission.
-  Listener(EventPort& port, const Address& address, Opens opens = Opens::ToOwner);
+  Listener(loop::EventPort& port, const Address& address, Opens opens = Opens::ToOwner);
   ~Listener() noexcept(false);
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
@@ -50,13 +50,13 @@ class Listener {
   kj::Promise<void> acceptAll();
   kj::Promise<void> acceptLater(kj::Duration pause);
 
-  EventPort& port_;
+  loop::EventPort& port_;
   Address address_;
   kj::AutoCloseFd socket_;
-  EventPort::FdObserver observer_;
+  loop::EventPort::FdObserver observer_;
   kj::Function<void(kj::AutoCloseFd)> accept_ = [](kj::AutoCloseFd) {};
   kj::Function<void(int)> starved_ = [](int) {};
   ino_t inode_ = 0;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace suture::rpc {
+namespace suture::net {
 
 std::string PeerIdentity::text() const {
   switch (proof) {
@@ -32,4 +32,4 @@ bool isTrusted(uid_t user, const std::vector<uid_t>& others) {
          std::find(others.begin(), others.end(), user) != others.end();
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::net

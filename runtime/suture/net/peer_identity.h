@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::net {
 
 /// A plain value holds what is known of a peer before it has said anything.
 struct PeerIdentity {
@@ -38,4 +38,4 @@ PeerIdentity identityOf(int socket);
 /// Returns true if `user` is this process's user, root, or one of `others`.
 bool isTrusted(uid_t user, const std::vector<uid_t>& others);
 
-}  // namespace suture::rpc
+}  // namespace suture::net

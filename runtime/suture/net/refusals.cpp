@@ -2,7 +2,7 @@
 #include <suture/net/refusals.h>
 #include <suture/rt/standard_error.h>
 
-namespace suture::rpc {
+namespace suture::net {
 namespace {
 
 constexpr Duration kPause = std::chrono::minutes(1);
@@ -30,7 +30,7 @@ void Refusals::add(const std::string& peer, const std::string& text) {
     summary_.latest = line;
   }
   if (!mayPrint(line)) return;
-  if (!printUnlessFull(owner_ + ": refused " + line)) printed_.erase(line);
+  if (!rt::printUnlessFull(owner_ + ": refused " + line)) printed_.erase(line);
 }
 
 bool Refusals::mayPrint(const std::string& line) {
@@ -44,4 +44,4 @@ Refusals::Summary Refusals::summary() const {
   return summary_;
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-namespace suture::rpc {
+namespace suture::net {
 
 /// Reports each refusal on standard error, for the person who runs the process that refuses; the
 /// peer is told by its answer. The process's reports have the count.
@@ -38,4 +38,4 @@ class Refusals {
   Summary summary_;
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -7,7 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace suture::rpc {
+namespace suture::net {
 namespace {
 
 using Type = kj::Exception::Type;
@@ -15,11 +15,11 @@ using Type = kj::Exception::Type;
 /// This is a handshake under way.
 class Handshake {
  public:
-  Handshake(EventPort& port, kj::AutoCloseFd socket, std::shared_ptr<const tls::Keys> keys,
+  Handshake(loop::EventPort& port, kj::AutoCloseFd socket, std::shared_ptr<const tls::Keys> keys,
             tls::Session::Side side)
       : socket_(kj::mv(socket)),
-        observer_(kj::heap<EventPort::FdObserver>(port, socket_,
-                                                  EventPort::FdObserver::OBSERVE_READ_WRITE)),
+        observer_(kj::heap<loop::EventPort::FdObserver>(
+            port, socket_, loop::EventPort::FdObserver::OBSERVE_READ_WRITE)),
         session_(std::make_unique<tls::Session>(std::move(keys), side, socket_)) {}
 
   kj::Promise<ByteStream> go() {
@@ -40,18 +40,19 @@ class Handshake {
       return session_->handshake();
     } catch (const tls::HandshakeError& error) {
       const bool broken = error.cause == tls::HandshakeError::Cause::Broken;
-      kj::throwFatalException(failure(broken ? Type::DISCONNECTED : Type::FAILED, error.what()));
+      kj::throwFatalException(
+          loop::failure(broken ? Type::DISCONNECTED : Type::FAILED, error.what()));
     }
   }
 
   kj::AutoCloseFd socket_;
-  kj::Own<EventPort::FdObserver> observer_;
+  kj::Own<loop::EventPort::FdObserver> observer_;
   std::unique_ptr<tls::Session> session_;
 };
 
 kj::Exception cannotTalk(const Address& address, const std::string& found,
                          Type type = Type::FAILED) {
-  return failure(type, "talk to " + address.text() + ": " + found);
+  return loop::failure(type, "talk to " + address.text() + ": " + found);
 }
 
 kj::Promise<ByteStream> checkUser(ByteStream stream, const Address& address, const Trust& trust) {
@@ -90,14 +91,15 @@ kj::Promise<ByteStream> checkProcess(ByteStream stream, const Address& address,
 
 }  // namespace
 
-kj::Promise<ByteStream> handshake(EventPort& port, kj::AutoCloseFd socket,
+kj::Promise<ByteStream> handshake(loop::EventPort& port, kj::AutoCloseFd socket,
                                   std::shared_ptr<const tls::Keys> keys, tls::Session::Side side,
                                   Duration deadline) {
   auto under = kj::heap<Handshake>(port, kj::mv(socket), std::move(keys), side);
   auto done = kj::evalNow([&] { return under->go(); }).attach(kj::mv(under));
-  auto late = port.getTimer().afterDelay(toKj(deadline)).then([]() -> kj::Promise<ByteStream> {
-    return disconnected("it did not finish the TLS handshake in time.");
-  });
+  auto late =
+      port.getTimer().afterDelay(loop::toKj(deadline)).then([]() -> kj::Promise<ByteStream> {
+        return loop::disconnected("it did not finish the TLS handshake in time.");
+      });
   return done.exclusiveJoin(kj::mv(late));
 }
 
@@ -108,7 +110,7 @@ void requireKeys(const Address& address, const Trust& trust) {
                    "file, or --keys.");
 }
 
-kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Trust& trust,
+kj::Promise<ByteStream> reach(loop::EventPort& port, const Address& address, const Trust& trust,
                               const std::string& expected, Duration limit) {
   requireKeys(address, trust);
   auto dialled = dial(port, address, limit);
@@ -123,7 +125,7 @@ kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Tru
       .then([&port, address, trust, limit](kj::AutoCloseFd socket) {
         return handshake(port, kj::mv(socket), trust.keys, tls::Session::Side::Client, 2 * limit)
             .catch_([address](kj::Exception&& error) -> kj::Promise<ByteStream> {
-              return cannotTalk(address, describe(error), error.getType());
+              return cannotTalk(address, loop::describe(error), error.getType());
             });
       })
       .then([address, expected](ByteStream stream) {
@@ -131,8 +133,9 @@ kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Tru
       });
 }
 
-kj::Promise<ByteStream> reachFirst(EventPort& port, std::vector<Address> places, const Trust& trust,
-                                   const std::string& expected, Duration limit) {
+kj::Promise<ByteStream> reachFirst(loop::EventPort& port, std::vector<Address> places,
+                                   const Trust& trust, const std::string& expected,
+                                   Duration limit) {
   auto reached = reach(port, places.front(), trust, expected, limit);
   places.erase(places.begin());
   if (places.empty()) return reached;
@@ -143,4 +146,4 @@ kj::Promise<ByteStream> reachFirst(EventPort& port, std::vector<Address> places,
   });
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-namespace suture::rpc {
+namespace suture::net {
 
 /// The control thread. Does the TLS handshake on a connected, non-blocking socket. Rejects with
 /// what was found and what to do; gives up at `deadline` from now.
-kj::Promise<ByteStream> handshake(EventPort& port, kj::AutoCloseFd socket,
+kj::Promise<ByteStream> handshake(loop::EventPort& port, kj::AutoCloseFd socket,
                                   std::shared_ptr<const tls::Keys> keys, tls::Session::Side side,
                                   Duration deadline);
 
@@ -26,15 +26,15 @@ kj::Promise<ByteStream> handshake(EventPort& port, kj::AutoCloseFd socket,
 /// user runs it. Rejects with what was asked, what was found and what to do, as DISCONNECTED if
 /// trying again may help. Waits for `limit` to be connected, and twice as long for the handshake of
 /// TLS, which takes two round trips.
-kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Trust& trust,
+kj::Promise<ByteStream> reach(loop::EventPort& port, const Address& address, const Trust& trust,
                               const std::string& expected, Duration limit);
 
 /// Does what reach() does, at the first of `places` that can be reached; they are all of one host.
 /// `limit` holds for each of them.
-kj::Promise<ByteStream> reachFirst(EventPort& port, std::vector<Address> places, const Trust& trust,
-                                   const std::string& expected, Duration limit);
+kj::Promise<ByteStream> reachFirst(loop::EventPort& port, std::vector<Address> places,
+                                   const Trust& trust, const std::string& expected, Duration limit);
 
 /// Throws SetupError if `address` needs keys and there are none.
 void requireKeys(const Address& address, const Trust& trust);
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace suture::rpc {
+namespace suture::net {
 
 kj::AutoCloseFd openSocket(const Address& address) {
   const int opened =
@@ -37,4 +37,4 @@ void breakWhenUnanswered(int socket, Duration limit) {
   setsockopt(socket, IPPROTO_TCP, TCP_KEEPINTVL, &on, sizeof(on));  // 1 s
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -5,7 +5,7 @@
 #include <suture/base/time.h>
 #include <suture/net/address.h>
 
-namespace suture::rpc {
+namespace suture::net {
 
 /// Returns an unconnected stream socket of the address's family: non-blocking, closed on exec.
 /// Throws SetupError.
@@ -24,4 +24,4 @@ void keepUnsentShort(int socket);
 /// including the kernel's own probes while there is nothing to send.
 void breakWhenUnanswered(int socket, Duration limit);
 
-}  // namespace suture::rpc
+}  // namespace suture::net

@@ -11,7 +11,7 @@ namespace suture::tls {
 class Keys;
 }
 
-namespace suture::rpc {
+namespace suture::net {
 
 /// Any thread may have its own copy.
 struct Trust {
@@ -19,4 +19,4 @@ struct Trust {
   std::vector<uid_t> users{};  ///< trusted on Unix sockets, beside this process's user and root
 };
 
-}  // namespace suture::rpc
+}  // namespace suture::net

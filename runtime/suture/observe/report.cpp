@@ -137,7 +137,7 @@ void eachField(Device& value, const Visit& visit) requires
 
 template <class Summary, class Visit>
 void eachField(Summary& value, const Visit& visit) requires
-    std::is_same_v<std::remove_const_t<Summary>, rpc::Refusals::Summary> {
+    std::is_same_v<std::remove_const_t<Summary>, net::Refusals::Summary> {
   visit("count", value.count);
   visit("latest", value.latest);
 }
@@ -229,7 +229,7 @@ Report reportFromJson(const json& in) {
   }
   report.incarnation = in.at("incarnation").get<std::uint64_t>();
   report.processorTime = Duration(in.at("processor_time").get<std::int64_t>());
-  report.refusals = structFromJson<rpc::Refusals::Summary>(in.at("refusals"));
+  report.refusals = structFromJson<net::Refusals::Summary>(in.at("refusals"));
   return report;
 }
 

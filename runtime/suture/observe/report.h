@@ -115,7 +115,7 @@ struct Report {
   std::vector<ConnectionReport> connections;
   std::vector<TaskReport> tasks;
   std::vector<DeviceReport> devices = {};
-  rpc::Refusals::Summary refusals = {};  ///< peers, and requests of peers
+  net::Refusals::Summary refusals = {};  ///< peers, and requests of peers
   std::uint64_t incarnation = 0;  ///< of this start of the process; 0 without a global manager
   Duration processorTime{};       ///< of all its threads: of tasks, and of what carries connections
 };

@@ -104,7 +104,7 @@ std::string section(const char* title, const std::vector<Reported>& all, const D
 
 std::string toText(const Report& report) {
   const double seconds = std::chrono::duration<double>(report.age).count();
-  const rpc::Refusals::Summary& refusals = report.refusals;
+  const net::Refusals::Summary& refusals = report.refusals;
   const std::string refused = refusals.count == 0
                                   ? ""
                                   : "refused to peers: " + std::to_string(refusals.count) +

@@ -1,10 +1,10 @@
 #include <capnp/dynamic.h>
 #include <capnp/message.h>
 #include <suture/base/errors.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/json/annotations.h>
+#include <suture/codec/json/to_json.h>
 #include <suture/record/json_lines.h>
-#include <suture/wire/codec.h>
-#include <suture/wire/json/annotations.h>
-#include <suture/wire/json/to_json.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,16 +27,18 @@ std::string keyOf(const std::string& read) {
 }
 
 // The generated code turns a slot into a message, and the schema says what that means.
-Json valueOf(const std::byte* slot, const rpc::MessageCodec& codec, capnp::StructSchema schema) {
+codec::Json valueOf(const std::byte* slot, const codec::MessageCodec& codec,
+                    capnp::StructSchema schema) {
   capnp::MallocMessageBuilder message;
   codec.encode(slot, message.getRoot<capnp::AnyPointer>());
-  return payloadToJson(message.getRoot<capnp::DynamicStruct>(schema).asReader(), Labels::Names);
+  return codec::payloadToJson(message.getRoot<capnp::DynamicStruct>(schema).asReader(),
+                              codec::Labels::Names);
 }
 
-Json readOf(const InterfaceInfo& contract, const CollectedValue& value) {
+codec::Json readOf(const InterfaceInfo& contract, const CollectedValue& value) {
   if (value.slot == nullptr) return nullptr;
-  const rpc::Codec& codec = contract.codec();
-  const rpc::CommandCodec& command = codec.commands[value.read];
+  const codec::Codec& codec = contract.codec();
+  const codec::CommandCodec& command = codec.commands[value.read];
   KJ_IF_MAYBE (declaring, codec.schema().findSuperclass(command.interface)) {
     const auto schema = declaring->getMethods()[command.method].getResultType();
     return valueOf(value.slot, command.result, schema);
@@ -44,10 +46,10 @@ Json readOf(const InterfaceInfo& contract, const CollectedValue& value) {
   return nullptr;
 }
 
-Json payloadOf(const InterfaceInfo& contract, std::uint16_t event, const std::byte* slot) {
-  const rpc::Codec& codec = contract.codec();
-  const rpc::EventCodec& one = codec.events[event];
-  const auto method = eventsOf(codec.schema()).getMethods()[one.method];
+codec::Json payloadOf(const InterfaceInfo& contract, std::uint16_t event, const std::byte* slot) {
+  const codec::Codec& codec = contract.codec();
+  const codec::EventCodec& one = codec.events[event];
+  const auto method = codec::eventsOf(codec.schema()).getMethods()[one.method];
   return valueOf(slot, one.payload, method.getParamType());
 }
 
@@ -59,10 +61,10 @@ void JsonLines::begin() {
 }
 
 // A collector that does not know yet what it has lost can tell of it only before what comes next.
-void JsonLines::write(const std::string& from, const Json& line, Count count) {
+void JsonLines::write(const std::string& from, const codec::Json& line, Count count) {
   if (lost_.contains(from)) return add(lost_, from, count);
   // Text that is not UTF-8 came from a component, and must not end a recording.
-  waiting_ += line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  waiting_ += line.dump(-1, ' ', false, codec::Json::error_handler_t::replace) + '\n';
   add(told_, from, count);
   if (waiting_.size() > kMostWaiting) put();
 }
@@ -76,7 +78,7 @@ void JsonLines::add(Counts& counts, const std::string& from, Count more) {
 void JsonLines::row(const CollectedInterface& from, std::uint64_t number, Time stamp,
                     std::span<const CollectedValue> values) {
   const std::lock_guard lock(mutex_);
-  Json line{{"from", from.collector}, {"row", number}, {"stamp", toNanoseconds(stamp)}};
+  codec::Json line{{"from", from.collector}, {"row", number}, {"stamp", toNanoseconds(stamp)}};
   for (const CollectedValue& value : values) {
     line[keyOf(from.contract.commands[value.read].name)] = readOf(from.contract, value);
   }
@@ -86,9 +88,9 @@ void JsonLines::row(const CollectedInterface& from, std::uint64_t number, Time s
 void JsonLines::event(const CollectedInterface& from, std::uint16_t event, Time stamp,
                       const std::byte* slot) {
   const std::lock_guard lock(mutex_);
-  Json line{{"from", from.collector},
-            {"event", from.contract.events[event].name},
-            {"stamp", toNanoseconds(stamp)}};
+  codec::Json line{{"from", from.collector},
+                   {"event", from.contract.events[event].name},
+                   {"stamp", toNanoseconds(stamp)}};
   if (from.contract.events[event].payloadSize != 0) {
     line["value"] = payloadOf(from.contract, event, slot);
   }
@@ -103,7 +105,7 @@ void JsonLines::missed(const CollectedInterface& from, std::uint64_t count) {
 void JsonLines::faults(const std::string& component, std::uint64_t first, std::uint64_t last,
                        const std::string& reason) {
   const std::lock_guard lock(mutex_);
-  const Json line{{"from", component}, {"fault", reason}, {"first", first}, {"last", last}};
+  const codec::Json line{{"from", component}, {"fault", reason}, {"first", first}, {"last", last}};
   write(component, line, {});
 }
 

@@ -5,7 +5,7 @@
 #include <climits>
 #include <string>
 
-namespace suture {
+namespace suture::rt {
 
 // A pipe or terminal that poll() calls writable takes PIPE_BUF bytes without waiting.
 bool printUnlessFull(std::string_view line) {
@@ -15,4 +15,4 @@ bool printUnlessFull(std::string_view line) {
   return write(STDERR_FILENO, text.data(), text.size()) == static_cast<ssize_t>(text.size());
 }
 
-}  // namespace suture
+}  // namespace suture::rt

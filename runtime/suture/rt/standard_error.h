@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace suture {
+namespace suture::rt {
 
 /// Any thread. Prints `line` and a line end on standard error, of which it takes at most 4 KiB.
 /// Returns false if that has no room, because nobody reads it: a terminal that was stopped, or a
@@ -11,4 +11,4 @@ namespace suture {
 /// room at that moment.
 bool printUnlessFull(std::string_view line);
 
-}  // namespace suture
+}  // namespace suture::rt

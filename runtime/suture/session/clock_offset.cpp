@@ -1,6 +1,6 @@
+#include <suture/codec/stamps.h>
 #include <suture/component/channel/peer_state.h>
 #include <suture/session/clock_offset.h>
-#include <suture/wire/stamps.h>
 
 #include <algorithm>
 
@@ -17,9 +17,10 @@ bool ClockOffset::contradicts(Duration offset, Duration errors) const {
 }
 
 bool ClockOffset::add(Time asked, std::int64_t received, std::int64_t sent, Time answered) {
-  const Duration there(rpc::bounded(received) / 2 + rpc::bounded(sent) / 2);
+  const Duration there(codec::bounded(received) / 2 + codec::bounded(sent) / 2);
   const Duration here = asked.time_since_epoch() / 2 + answered.time_since_epoch() / 2;
-  const Duration whole = answered - asked, answering(rpc::bounded(sent) - rpc::bounded(received));
+  const Duration whole = answered - asked,
+                 answering(codec::bounded(sent) - codec::bounded(received));
   // Do not believe a peer that says that answering took longer than everything, or less than no
   // time.
   const bool possible = answering >= Duration{0} && answering <= whole;

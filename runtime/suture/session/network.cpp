@@ -24,10 +24,10 @@ namespace {
 
 /// Runs `work` on the control thread, and throws its failure as a SetupError.
 template <class Work>
-auto run(rpc::ControlThread& control, Duration deadline, Work work) {
+auto run(loop::ControlThread& control, Duration deadline, Work work) {
   try {
     return control.run(deadline, std::move(work));
-  } catch (const rpc::ControlFailure& failure) {
+  } catch (const loop::ControlFailure& failure) {
     throw SetupError(failure.what());
   }
 }
@@ -61,11 +61,11 @@ class Network::Impl {
  public:
   Impl(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
        TaskOf taskOf, Duration patience, const Security& security)
-      : directory_(directory), managers_(rpc::parseAddresses(managerAddress)), security_(security) {
+      : directory_(directory), managers_(net::parseAddresses(managerAddress)), security_(security) {
     if (const std::string why = whyNoName(directory_.process()); !why.empty()) {
       throw SetupError(why);
     }
-    rpc::requireKeys(managers_.front(), security_.trust());
+    net::requireKeys(managers_.front(), security_.trust());
     try {
       patience = std::min(patience, kLongestPatience);
       run(control_, patience + kLocalWork,
@@ -79,7 +79,7 @@ class Network::Impl {
   }
 
   ~Impl() {
-    if (const std::string why = leave(); !why.empty()) printUnlessFull(why);
+    if (const std::string why = leave(); !why.empty()) rt::printUnlessFull(why);
   }
 
   // The thread of frame links starts from the control thread, with the first such link, and
@@ -142,8 +142,8 @@ class Network::Impl {
               },
           .failed =
               [this](const std::string& channel, const std::string& lane, const std::string& why) {
-                printUnlessFull(directory_.process() + ": " + channel + " cannot travel by lane '" +
-                                lane + "': " + plain(why));
+                rt::printUnlessFull(directory_.process() + ": " + channel +
+                                    " cannot travel by lane '" + lane + "': " + plain(why));
               }};
       auto begun = std::make_unique<RemoteConnection>(control_, *sessions_, lanes_, required, from,
                                                       to, options, listener, delays, watch,
@@ -205,8 +205,8 @@ class Network::Impl {
 
   std::uint64_t incarnation() const { return incarnation_; }
 
-  rpc::Refusals::Summary refusals() const {
-    return host_ == nullptr ? rpc::Refusals::Summary{} : host_->refusals();
+  net::Refusals::Summary refusals() const {
+    return host_ == nullptr ? net::Refusals::Summary{} : host_->refusals();
   }
 
   std::vector<std::shared_ptr<Channel>> served() const {
@@ -242,7 +242,7 @@ class Network::Impl {
   // not.
   std::string endThere() {
     const std::string who = directory_.process() + ": waits to end its connections: ";
-    return rpc::runToTheEnd(control_, who, [this] {
+    return loop::runToTheEnd(control_, who, [this] {
       connections_.clear();
       sessions_.reset();
       if (host_ != nullptr) host_->hangUp();
@@ -256,10 +256,11 @@ class Network::Impl {
   }
 
   kj::Promise<void> tellIfLong(kj::Promise<void> awaited, const std::string& what) {
-    auto telling = control_.timer()
-                       .afterDelay(rpc::toKj(kLongWait))
-                       .then([line = directory_.process() + ": " + what] { printUnlessFull(line); })
-                       .eagerlyEvaluate(nullptr);
+    auto telling =
+        control_.timer()
+            .afterDelay(loop::toKj(kLongWait))
+            .then([line = directory_.process() + ": " + what] { rt::printUnlessFull(line); })
+            .eagerlyEvaluate(nullptr);
     return awaited.attach(kj::mv(telling));
   }
 
@@ -283,16 +284,16 @@ class Network::Impl {
 
   kj::Promise<void> untilGivenUp() {
     return givenUp_.addBranch().then([]() -> kj::Promise<void> {
-      return rpc::failure(kj::Exception::Type::FAILED,
-                          "this process has been told to end while it waited. Start it again.");
+      return loop::failure(kj::Exception::Type::FAILED,
+                           "this process has been told to end while it waited. Start it again.");
     });
   }
 
   const Directory& directory_;
-  const std::vector<rpc::Address> managers_;  // all of one kind
+  const std::vector<net::Address> managers_;  // all of one kind
   const Security security_;
   const std::uint64_t incarnation_ = newIncarnation();
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   Lanes lanes_ = makeLanes();
   std::unique_ptr<ManagerLink> link_;
   std::unique_ptr<Sessions> sessions_;
@@ -349,7 +350,7 @@ std::map<std::string, std::string> Network::whyNotBack() const { return impl_->w
 
 std::uint64_t Network::incarnation() const { return impl_->incarnation(); }
 
-rpc::Refusals::Summary Network::refusals() const { return impl_->refusals(); }
+net::Refusals::Summary Network::refusals() const { return impl_->refusals(); }
 
 std::vector<std::shared_ptr<Channel>> Network::served() const { return impl_->served(); }
 

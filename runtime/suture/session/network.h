@@ -84,7 +84,7 @@ class Network {
   /// Returns a number that distinguishes this start of the process from all others; never 0.
   std::uint64_t incarnation() const;
   /// Counts what this process has refused to peers.
-  rpc::Refusals::Summary refusals() const;
+  net::Refusals::Summary refusals() const;
   /// Returns the provider ends of what peers have connected to this process.
   std::vector<std::shared_ptr<Channel>> served() const;
 

@@ -1,5 +1,5 @@
+#include <suture/codec/stamps.h>
 #include <suture/session/task_activity.h>
-#include <suture/wire/stamps.h>
 
 namespace suture {
 
@@ -17,7 +17,7 @@ void toWire(const TaskActivity::Reading& activity, wire::TaskActivity::Builder o
 TaskActivity::Reading fromWire(wire::TaskActivity::Reader in) {
   const bool running = in.getActivity() == WireActivity::RUNNING;
   return {running ? Activity::Running : Activity::Asleep,
-          fromNanoseconds(rpc::bounded(in.getDue()))};
+          fromNanoseconds(codec::bounded(in.getDue()))};
 }
 
 }  // namespace suture

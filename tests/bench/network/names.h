@@ -50,7 +50,7 @@ class Names {
 
   const suture::TemporaryDirectory folder_;
   const std::string keys_;
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   const suture::GlobalManager manager_;
 };
 

@@ -62,17 +62,17 @@ class Codec {
     ReusingBuilder message(scratch_);
     toWire(slot, message.initRoot<robots::wire::PosePrm>());
     frame_.clear();
-    suture::rpc::appendFrame(message.finish(), frame_);
+    suture::framing::appendFrame(message.finish(), frame_);
     return frame_;
   }
 
   static void decode(std::span<const std::byte> frame, PosePrm& value) {
-    const auto parsed = suture::rpc::parseFrameHeader(frame, {});
+    const auto parsed = suture::framing::parseFrameHeader(frame, {});
     if (!parsed.header || parsed.header->segments != 1) throw std::logic_error("not one message");
     const auto* words = reinterpret_cast<const capnp::word*>(frame.data());
     const Segment segments[] = {
         kj::arrayPtr(words + parsed.header->headerBytes / sizeof(capnp::word),
-                     suture::rpc::segmentWords(frame, 0))};
+                     suture::framing::segmentWords(frame, 0))};
     capnp::SegmentArrayMessageReader message(kj::arrayPtr(segments, 1));
     PosePrmSlot slot;
     if (fromWire(message.getRoot<robots::wire::PosePrm>(), slot, suture::Duration{0}) !=

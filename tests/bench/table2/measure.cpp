@@ -104,7 +104,7 @@ LoopResult measureAcross(const LoopSetup& setup, const Between& between) {
   std::optional<suture::Cable> cable;
   if (between.namespaces) cable.emplace();
   const suture::TemporaryDirectory folder;
-  suture::rpc::ControlThread control;
+  suture::loop::ControlThread control;
   const suture::GlobalManager names(control, managerAddress(folder, between));
   ChildProcess serverProcess(serverProcessArguments(setup, names.address(), between.namespaces));
   if (cable) stretch(*cable, serverProcess.pid());

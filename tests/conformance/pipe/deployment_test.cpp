@@ -37,7 +37,7 @@ class PipeDeployment : public testing::Test {
   }
 
   const TemporaryDirectory folder_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   GlobalManager names_{control_, "unix:" + folder_.file("manager.sock")};
 };
 

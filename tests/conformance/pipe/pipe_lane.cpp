@@ -54,7 +54,7 @@ bool passOn(int from, int to) {
 
 class PipeAttempt final : public LaneAttempt {
  public:
-  PipeAttempt(PipeLane& lane, rpc::ControlThread& control) : lane_(lane), control_(control) {}
+  PipeAttempt(PipeLane& lane, loop::ControlThread& control) : lane_(lane), control_(control) {}
 
   void request(capnp::AnyPointer::Builder out) override {
     auto paths = out.initAs<capnp::List<capnp::Text>>(2);
@@ -69,7 +69,7 @@ class PipeAttempt final : public LaneAttempt {
 
  private:
   PipeLane& lane_;
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
   Pipe there_, back_;
 };
 
@@ -126,7 +126,7 @@ frame::FramedOn PipeLane::lead(kj::AutoCloseFd in, kj::AutoCloseFd out) {
   fcntl(socket, F_SETFL, O_NONBLOCK);
   pump(kj::AutoCloseFd(fcntl(here, F_DUPFD_CLOEXEC, 0)), kj::mv(out));
   pump(kj::mv(in), kj::mv(here));
-  auto link = std::make_shared<frame::Link>(rpc::ByteStream(kj::mv(socket)), kNumber);
+  auto link = std::make_shared<frame::Link>(net::ByteStream(kj::mv(socket)), kNumber);
   thread_.add(link);
   return {name(), thread_, std::move(link), kNumber, frame::Form::Encoded};
 }

@@ -76,7 +76,7 @@ void playConsole(const Trial& trial, const LinkEnd& end, std::FILE* record) {
 
 void playTable(const Trial& trial, const LinkEnd& end, std::FILE* record) {
   end.enter();
-  suture::rpc::ControlThread control;
+  suture::loop::ControlThread control;
   const suture::GlobalManager names(control, managerAddress());
   OperatingTable table(trial, {.seed = trial.seed});
   Witness witness;

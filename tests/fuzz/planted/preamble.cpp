@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace suture::rpc {
+namespace suture::framing {
 
 std::array<std::byte, sizeof(Token) + 8> preambleOf(const Token& token) {
   std::array<std::byte, sizeof(Token) + 8> opening{};
@@ -12,8 +12,8 @@ std::array<std::byte, sizeof(Token) + 8> preambleOf(const Token& token) {
   return opening;
 }
 
-kj::Promise<Opened> readPreamble(EventPort&, ByteStream bytes, const StreamLimits&) {
+kj::Promise<Opened> readPreamble(loop::EventPort&, net::ByteStream bytes, const StreamLimits&) {
   return Opened{kj::mv(bytes), Token{}, {}};
 }
 
-}  // namespace suture::rpc
+}  // namespace suture::framing

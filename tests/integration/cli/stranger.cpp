@@ -184,20 +184,20 @@ class Stranger final : public suture::wire::Peer::Server {
 
 /// Holds what lives on the control thread.
 struct Presence {
-  suture::rpc::Refusals refusals{"stranger"};
-  std::unique_ptr<suture::rpc::LinkServer> server;
+  suture::net::Refusals refusals{"stranger"};
+  std::unique_ptr<suture::framing::LinkServer> server;
   std::unique_ptr<suture::ManagerLink> link;
 };
 
-kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence, char** argv) {
+kj::Promise<void> appear(suture::loop::ControlThread& control, Presence& presence, char** argv) {
   const std::string manager = argv[1], name = argv[2], how = argv[3];
   const auto address =
-      suture::rpc::Address::parse(how == "outside" ? "tcp://127.0.0.1:0" : manager + "." + name);
+      suture::net::Address::parse(how == "outside" ? "tcp://127.0.0.1:0" : manager + "." + name);
   suture::Security security;
   if (argv[4] != nullptr) {
     security.keys = std::make_shared<const suture::tls::Keys>(argv[4], name);
   }
-  presence.server = std::make_unique<suture::rpc::LinkServer>(
+  presence.server = std::make_unique<suture::framing::LinkServer>(
       control.port(), address,
       [how](const auto& caller) -> capnp::Capability::Client {
         caller->known = true;  // else it would be given only short answers
@@ -205,7 +205,7 @@ kj::Promise<void> appear(suture::rpc::ControlThread& control, Presence& presence
       },
       presence.refusals);
   presence.link = std::make_unique<suture::ManagerLink>(
-      control, suture::rpc::parseAddresses(manager), name, security.trust());
+      control, suture::net::parseAddresses(manager), name, security.trust());
   return presence.link->open(std::chrono::seconds(5)).then([&presence, name, how] {
     std::vector<std::string> addresses;
     if (how != "homeless") addresses.push_back(presence.server->address().text());
@@ -224,7 +224,7 @@ int main(int, char** argv) {
   return suture::statusOf([argv] {
     const suture::HostedProcess process;
     Presence presence;
-    suture::rpc::ControlThread control;
+    suture::loop::ControlThread control;
     control.run(std::chrono::seconds(10), [&] { return appear(control, presence, argv); });
     process.awaitEnd();
     control.run(std::chrono::seconds(10), [&] {

@@ -39,7 +39,7 @@ class ClockTest : public testing::TestWithParam<std::tuple<Duration, Lane>> {
   }
 
   TemporaryDirectory directory_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   GlobalManager names_;
 };
 

@@ -48,8 +48,8 @@ class Namespaces : public testing::TestWithParam<Case> {
     if (!isSecure()) return {};
     return {.keys = std::make_shared<const tls::Keys>(keys(), process), .policy = {}};
   }
-  rpc::ControlThread& control() {
-    if (control_ == nullptr) control_ = std::make_unique<rpc::ControlThread>();
+  loop::ControlThread& control() {
+    if (control_ == nullptr) control_ = std::make_unique<loop::ControlThread>();
     return *control_;
   }
   /// Starts the host in a namespace of its own, at the other end of the cable.
@@ -70,7 +70,7 @@ class Namespaces : public testing::TestWithParam<Case> {
 
   TemporaryDirectory directory_;
   std::optional<Cable> cable_;
-  std::unique_ptr<rpc::ControlThread> control_;  // made after the cable, so in its namespace
+  std::unique_ptr<loop::ControlThread> control_;  // made after the cable, so in its namespace
   std::unique_ptr<GlobalManager> names_;
 };
 

@@ -79,7 +79,7 @@ class NetworkTest : public testing::TestWithParam<const char*> {
   }
   TemporaryDirectory directory_;
   const std::filesystem::path keys_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   GlobalManager names_;
 };
 

@@ -46,22 +46,22 @@ class SecurityTest : public testing::Test {
   /// answer)` sends one request.
   template <class Ask>
   std::string robotsAnswer(const std::string& holder, Ask ask) {
-    rpc::ControlThread control;
-    const auto manager = rpc::Address::parse(names_.address());
+    loop::ControlThread control;
+    const auto manager = net::Address::parse(names_.address());
     return control.run(kPatience, [&control, manager, ask, trust = securityOf(holder).trust()] {
       auto link = kj::heap<ManagerLink>(control, std::vector{manager}, "test", trust);
       auto& held = *link;
       return held.open(kPatience)
           .then([&held] { return held.resolve("robot", kPatience); })
           .then([&held](const ProcessRecord& robot) { return held.reach(robot, kPatience); })
-          .then([&control, ask](rpc::ByteStream bytes) {
+          .then([&control, ask](net::ByteStream bytes) {
             // A robot on a busy machine may take any time for its first answer.
-            const rpc::StreamLimits patient{.firstMilliseconds = 0};
-            auto stream = kj::heap<rpc::MessageStream>(control.port(), kj::mv(bytes), patient);
-            auto connection = kj::heap<rpc::Link>(kj::mv(stream), Side::CLIENT);
+            const framing::StreamLimits patient{.firstMilliseconds = 0};
+            auto stream = kj::heap<framing::MessageStream>(control.port(), kj::mv(bytes), patient);
+            auto connection = kj::heap<framing::Link>(kj::mv(stream), Side::CLIENT);
             return ask(connection->bootstrap<wire::Peer>()).attach(kj::mv(connection));
           })
-          .catch_([](kj::Exception&& error) { return rpc::describe(error); })
+          .catch_([](kj::Exception&& error) { return loop::describe(error); })
           .attach(kj::mv(link));
     });
   }
@@ -84,7 +84,7 @@ class SecurityTest : public testing::Test {
 
   TemporaryDirectory directory_;
   const std::filesystem::path keys_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   GlobalManager names_;
 
  private:
@@ -163,9 +163,9 @@ TEST_F(SecurityTest, ACertificateNamesItsProcess) {
 }
 
 TEST_F(SecurityTest, ARegisteredAddressStaysWithinTls) {
-  rpc::ControlThread control;
+  loop::ControlThread control;
   std::unique_ptr<ManagerLink> link;
-  const auto manager = rpc::Address::parse(names_.address());
+  const auto manager = net::Address::parse(names_.address());
   control.run(kPatience, [&, trust = securityOf("robot").trust()] {
     link = std::make_unique<ManagerLink>(control, std::vector{manager}, "robot", trust);
     return link->open(kPatience).then([&link] {
@@ -285,7 +285,7 @@ class PlainSecurityTest : public testing::TestWithParam<const char*> {
                                             : "unix:" + directory_.file("m.sock");
   }
   TemporaryDirectory directory_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
 };
 INSTANTIATE_TEST_SUITE_P(Sockets, PlainSecurityTest, testing::Values("unix", "tcp"),
                          [](const auto& test) { return std::string(test.param); });

@@ -3,7 +3,7 @@
 
 #include <suture/base/encoding.h>
 #include <suture/base/slots/shared_slot.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/wire.h>
 
 #include <capnp/message.h>
 

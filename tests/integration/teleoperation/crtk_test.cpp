@@ -57,7 +57,7 @@ class Crtk : public testing::TestWithParam<bool> {
   }
 
   const suture::TemporaryDirectory directory_;
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("manager.sock")};
   suture::Manager here_{"here", names_.address()};
   suture::Manager there_{"there", names_.address()};

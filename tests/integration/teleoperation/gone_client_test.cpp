@@ -72,7 +72,7 @@ class GoneConsole : public testing::TestWithParam<suture::Lane> {
 
   const suture::TemporaryDirectory directory_;
   suture::TestClock::Process consolesProcess_{suture::clockOfTest()};
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   DrivenPsm psm_;
   Panel panel_;

@@ -81,7 +81,7 @@ class JawFollowing : public testing::TestWithParam<suture::Lane> {
   }
 
   const suture::TemporaryDirectory directory_;
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   DrivenMtm master_;
   DrivenPsm slave_;

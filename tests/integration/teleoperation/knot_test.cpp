@@ -77,7 +77,7 @@ class Knot : public testing::TestWithParam<suture::Lane> {
 
   const suture::TemporaryDirectory directory_;
   suture::TestClock::Process eyesProcess_{suture::clockOfTest()};
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   DrivenMtm leftMaster_{Side::Left}, rightMaster_{Side::Right};
   DrivenPsm leftSlave_, rightSlave_;

@@ -153,7 +153,7 @@ class FrozenTeleoperation : public testing::TestWithParam<suture::Lane> {
 
   const suture::TemporaryDirectory directory_;
   suture::TestClock::Process console_{suture::clockOfTest()};
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   Scene scene_;
   std::unique_ptr<suture::Manager> robot_, manager_;
@@ -197,7 +197,7 @@ class LostLink : public testing::TestWithParam<suture::Lane> {
 
   const suture::TemporaryDirectory directory_;
   suture::TestClock::Process robotsProcess_{suture::clockOfTest()};
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   Scene scene_;
   std::unique_ptr<suture::Manager> robot_, console_;

@@ -116,7 +116,7 @@ class Stop : public testing::TestWithParam<suture::Lane> {
   const suture::TemporaryDirectory directory_;
   suture::TestClock::Process desksProcess_{suture::clockOfTest()};
   suture::TestClock::Process rightsProcess_{suture::clockOfTest()};
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   Coordinator coordinator_;
   DrivenMtm leftMaster_{Side::Left, kPermit}, rightMaster_{Side::Right, kPermit};

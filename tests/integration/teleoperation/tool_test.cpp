@@ -102,7 +102,7 @@ class Tool : public testing::TestWithParam<suture::Lane> {
   }
 
   const suture::TemporaryDirectory directory_;
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   DrivenMtm master_;
   DrivenPsm slave_;

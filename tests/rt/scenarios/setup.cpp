@@ -33,7 +33,7 @@ struct Scenario::Processes {
         clients(std::in_place, "clients", names->address()) {}
   Processes() : servers(std::in_place, "alone") {}
 
-  std::optional<suture::rpc::ControlThread> control;
+  std::optional<suture::loop::ControlThread> control;
   std::optional<suture::GlobalManager> names;
   std::optional<suture::Manager> servers, clients;
 

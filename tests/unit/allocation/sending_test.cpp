@@ -5,7 +5,7 @@
 #include <array>
 
 #include "support/allocations.h"
-#include "unit/rpc/socket_pair.h"
+#include "support/socket_pair.h"
 
 namespace suture::rpc {
 namespace {
@@ -41,10 +41,10 @@ class SendingTest : public testing::Test {
     while (recv(pair_.theirs, block_.data(), block_.size(), 0) > 0) continue;
   }
 
-  EventPort port_;
+  loop::EventPort port_;
   SocketPair pair_ = makeSocketPair();
   const kj::AutoCloseFd full_{fcntl(pair_.ours, F_DUPFD_CLOEXEC, 0)};
-  MessageStream stream_{port_, kj::mv(pair_.ours)};
+  framing::MessageStream stream_{port_, kj::mv(pair_.ours)};
   std::array<std::byte, 65'536> block_{};
 };
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 #include <suture/base/sanitizers.h>
-#include <suture/wire/json/to_json.h>
+#include <suture/codec/json/to_json.h>
 #include "cli/contract/contract.h"
 #include "cli/contract/from_json.h"
 #include "cli/text/contract_text.h"
@@ -48,11 +48,11 @@ void use(const Contract& contract) {
     try {
       const auto results = any.getRoot<capnp::AnyPointer>().asReader().getAs<capnp::DynamicStruct>(
           command.method.getResultType());
-      toJson(results, Labels::Units);
+      codec::toJson(results, codec::Labels::Units);
       capnp::MallocMessageBuilder arguments;
       const auto parameters =
           arguments.initRoot<capnp::DynamicStruct>(command.method.getParamType());
-      fill(parameters, toJson(parameters.asReader(), Labels::Names), "");
+      fill(parameters, codec::toJson(parameters.asReader(), codec::Labels::Names), "");
     } catch (const SetupError&) {
       // A refusal in words is right.
     } catch (const kj::Exception&) {

@@ -1,8 +1,8 @@
 #include <capnp/dynamic.h>
 #include <capnp/schema.capnp.h>
 #include <gtest/gtest.h>
-#include <suture/wire/json/packed_numbers.h>
-#include <suture/wire/json/to_json.h>
+#include <suture/codec/json/packed_numbers.h>
+#include <suture/codec/json/to_json.h>
 #include "cli/command_line/arguments.h"
 #include "cli/command_line/target.h"
 #include "cli/contract/from_json.h"
@@ -22,10 +22,10 @@ Json back(const char* json) {
   capnp::MallocMessageBuilder message;
   auto built = message.initRoot<robots::wire::Everything>();
   const capnp::DynamicStruct::Builder dynamic(built);
-  Json all = toJson(dynamic.asReader(), Labels::Names);
+  Json all = codec::toJson(dynamic.asReader(), codec::Labels::Names);
   all.update(Json::parse(json));
   fill(dynamic, all, "");
-  return toJson(dynamic.asReader(), Labels::Names);
+  return codec::toJson(dynamic.asReader(), codec::Labels::Names);
 }
 
 std::string refusal(const char* json) {
@@ -102,11 +102,11 @@ TEST(Values, AnObjectOfTheProgramIsNone) {
 
 TEST(Values, BulkValuesAreNumbers) {
   const Json numbers = Json::parse(R"([1.5, "nan", -2])");
-  const auto bytes = bytesOf(numbers, "Float64");
+  const auto bytes = codec::bytesOf(numbers, "Float64");
   EXPECT_EQ(bytes.size(), 24u);
-  EXPECT_EQ(numbersIn(bytes, "Float64"), Json::parse(R"([1.5, "nan", -2.0])"));
-  EXPECT_EQ(numbersIn(bytesOf(Json{-1, 300}, "Int16"), "Int16"), (Json{-1, 300}));
-  EXPECT_EQ(numbersIn(bytesOf(Json{1, 2}, "Int16"), ""), (Json{1, 0, 2, 0}));
+  EXPECT_EQ(codec::numbersIn(bytes, "Float64"), Json::parse(R"([1.5, "nan", -2.0])"));
+  EXPECT_EQ(codec::numbersIn(codec::bytesOf(Json{-1, 300}, "Int16"), "Int16"), (Json{-1, 300}));
+  EXPECT_EQ(codec::numbersIn(codec::bytesOf(Json{1, 2}, "Int16"), ""), (Json{1, 0, 2, 0}));
 }
 
 TEST(Values, BulkNumbersAreNotCut) {
@@ -115,11 +115,12 @@ TEST(Values, BulkNumbersAreNotCut) {
         std::pair(Json{true}, "Int16"), std::pair(Json{1e300}, "Float32"),
         std::pair(Json(7), "Int16"), std::pair(Json{{"a", 7}}, "Float64"),
         std::pair(Json("nan"), "Float64")}) {
-    EXPECT_ANY_THROW(bytesOf(numbers, bulk)) << numbers << " " << bulk;
+    EXPECT_ANY_THROW(codec::bytesOf(numbers, bulk)) << numbers << " " << bulk;
   }
   const Json edges{std::numeric_limits<std::int64_t>::min(), -1, 0};
-  EXPECT_EQ(numbersIn(bytesOf(edges, "Int64"), "Int64"), edges);
-  EXPECT_EQ(numbersIn(bytesOf(Json{"inf", -0.5}, "Float32"), "Float32"), (Json{"inf", -0.5}));
+  EXPECT_EQ(codec::numbersIn(codec::bytesOf(edges, "Int64"), "Int64"), edges);
+  EXPECT_EQ(codec::numbersIn(codec::bytesOf(Json{"inf", -0.5}, "Float32"), "Float32"),
+            (Json{"inf", -0.5}));
 }
 
 TEST(Arguments, OnTheCommandLineComeLast) {

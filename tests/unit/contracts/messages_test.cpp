@@ -110,7 +110,7 @@ class StandardMessages : public testing::TestWithParam<Lane> {
  protected:
   void TearDown() override { manager.stop(); }
 
-  suture::rpc::ControlThread control;
+  suture::loop::ControlThread control;
   suture::GlobalManager names{control, "tcp://127.0.0.1:0"};
   suture::Manager manager{"here", names.address()};
 };

@@ -29,7 +29,7 @@ struct Watcher final : suture::Device {
 class TimingPort : public testing::TestWithParam<suture::Lane> {};
 
 TEST_P(TimingPort, TellsWhatTheTaskMeasured) {
-  suture::rpc::ControlThread control;
+  suture::loop::ControlThread control;
   suture::GlobalManager names(control, "tcp://127.0.0.1:0");
   suture::Manager manager("here", names.address());
   Worker worker;

@@ -139,7 +139,7 @@ TEST(Host, ARestartIsNews) {
 
 TEST(Host, PromisesNoConnectionToAStoppedComponent) {
   const TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager names(control, "unix:" + directory.file("m.sock"));
   reference::SimulatedArm arm(reference::SimulatedArmParameters{});
   Manager robot("robot", names.address());

@@ -83,7 +83,7 @@ TEST_F(DeploymentKeys, ACommandLineNeedsProcesses) {
 
 TEST_F(DeploymentKeys, AHostUsesThoseOfItsProcess) {
   suture::makeKeys({.deployment = "", .processes = {"left"}, .out = keys()});
-  suture::rpc::ControlThread control;
+  suture::loop::ControlThread control;
   const suture::GlobalManager global(
       control, "tls://127.0.0.1:0",
       {.keys = std::make_shared<const suture::tls::Keys>(keys(), suture::tls::kManagerName)});

@@ -11,7 +11,7 @@ using suture::DocumentError;
 using suture::JsonDocument;
 using suture::Policy;
 using suture::readPolicy;
-using Proof = suture::rpc::PeerIdentity::Proof;
+using Proof = suture::net::PeerIdentity::Proof;
 
 constexpr const char* kPolicy = R"({
   "roles": [
@@ -37,7 +37,7 @@ std::string problemsOf(const std::string& piece, const std::string& replacement)
 
 TEST(PolicyFile, GivesRolesToThoseOfItsRules) {
   const Policy policy = readPolicy(JsonDocument::parse(kPolicy, "p.json"));
-  const suture::rpc::PeerIdentity console{Proof::Certificate, 0, "console"},
+  const suture::net::PeerIdentity console{Proof::Certificate, 0, "console"},
       root{Proof::User, 0, ""};
   EXPECT_EQ(policy.access(console, {"robot", "PSM", "Arm"}), Access::Full);
   EXPECT_EQ(policy.access(console, {"robot", "ECM", "Arm"}), Access::Read);

@@ -20,7 +20,7 @@
 #include "reference/remote_arm.h"
 #include "support/contains.h"
 #include "support/patience.h"
-#include "unit/rpc/socket_pair.h"
+#include "support/socket_pair.h"
 
 namespace suture {
 namespace {
@@ -128,7 +128,7 @@ class Caller : public reference::PlayedClient {
 
   struct Socket {
     std::uint32_t number = 0;
-    rpc::Token token;
+    framing::Token token;
   };
   /// Asks for a second connection.
   Socket socket() {
@@ -190,13 +190,13 @@ class Caller : public reference::PlayedClient {
 };
 
 /// Opens a second connection, blocking, that shows the token.
-kj::AutoCloseFd secondConnection(const rpc::Address& provider, const rpc::Token& token) {
-  const rpc::SocketAddress target(provider);
+kj::AutoCloseFd secondConnection(const net::Address& provider, const framing::Token& token) {
+  const net::SocketAddress target(provider);
   kj::AutoCloseFd socket(::socket(AF_INET, SOCK_STREAM, 0));
   EXPECT_EQ(::connect(socket, target.get(), target.length), 0);
   const timeval patience{.tv_sec = 5, .tv_usec = 0};
   setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience));
-  rpc::sendAll(socket, rpc::preambleOf(token));
+  sendAll(socket, framing::preambleOf(token));
   return socket;
 }
 
@@ -206,12 +206,12 @@ void subscribe(int socket, std::uint32_t epoch, std::uint32_t connection) {
   const frame::Header header{.kind = frame::Kind::Subscribe, .call = 1, .connection = connection};
   std::memcpy(writer.begin(header, sizeof(everything)), &everything, sizeof(everything));
   writer.finish();
-  rpc::sendAll(socket, writer.unsent());
+  sendAll(socket, writer.unsent());
 }
 
 /// Tells if the provider answers that the token is good; or, later, if it sends a row.
 bool isServed(int socket) {
-  std::byte answer[sizeof(rpc::Token) + 8];
+  std::byte answer[sizeof(framing::Token) + 8];
   return recv(socket, answer, sizeof(answer), MSG_WAITALL) == sizeof(answer);
 }
 
@@ -245,7 +245,7 @@ TEST_F(FrameConnections, OnlyOneSessionSharesASocket) {
 TEST_F(FrameConnections, AStrangerGetsNoToken) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager());
-  EXPECT_THROW(caller.socket(), rpc::ControlFailure);
+  EXPECT_THROW(caller.socket(), loop::ControlFailure);
   caller.greet();
   caller.socket();
 }
@@ -330,7 +330,7 @@ TEST_F(FrameConnections, AForgedTokenIsRefused) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager());
   caller.greet();
-  rpc::Token token = caller.socket().token;
+  framing::Token token = caller.socket().token;
   token[7] ^= std::byte{1};
   EXPECT_FALSE(isServed(secondConnection(caller.provider(), token)));
 }

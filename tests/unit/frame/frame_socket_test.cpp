@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "support/allocations.h"
-#include "unit/rpc/socket_pair.h"
+#include "support/socket_pair.h"
 
 namespace suture::frame {
 namespace {
@@ -13,9 +13,9 @@ constexpr std::size_t kSmallPayload = 64;
 
 /// Holds two ends of a connection.
 struct Ends {
-  Ends() : Ends(rpc::makeSocketPair()) {}
-  explicit Ends(rpc::SocketPair pair)
-      : near(rpc::ByteStream(kj::mv(pair.ours)), 5), far(rpc::ByteStream(kj::mv(pair.theirs)), 5) {}
+  Ends() : Ends(makeSocketPair()) {}
+  explicit Ends(SocketPair pair)
+      : near(net::ByteStream(kj::mv(pair.ours)), 5), far(net::ByteStream(kj::mv(pair.theirs)), 5) {}
 
   FrameSocket near, far;
 };

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "reference/played_channel.h"
+#include "support/socket_pair.h"
 #include "unit/frame/sides.h"
-#include "unit/rpc/socket_pair.h"
 
 namespace suture::frame {
 namespace {
@@ -35,7 +35,7 @@ class Peer {
     std::byte* const memory = writer_.begin(header, payload.size());
     std::copy(payload.begin(), payload.end(), memory);
     writer_.finish();
-    rpc::sendAll(socket_, writer_.unsent());
+    sendAll(socket_, writer_.unsent());
     writer_.sent(writer_.unsent().size());
   }
   void drain() {
@@ -133,10 +133,10 @@ TEST(HostileFrames, AHostileClientReachesOnlyItsChannel) {
   for (unsigned seed = 0; seed < kSessions; ++seed) {
     const Form form = seed % 3 == 0 ? Form::Encoded : Form::Slots;
     Played played;
-    auto pair = rpc::makeSocketPair();
+    auto pair = makeSocketPair();
     const auto side = makeSide<ProviderSide>(played.channel, kConnection, form);
     if (seed % 2 == 0) side->setReadOnly();
-    Link link(rpc::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
+    Link link(net::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
     link.join(side);
     Peer peer(kj::mv(pair.theirs));
     Liar liar(seed, form);
@@ -162,9 +162,9 @@ TEST(HostileFrames, AHostileProviderReachesOnlyItsChannel) {
   for (unsigned seed = 0; seed < kSessions; ++seed) {
     const Form form = seed % 3 == 0 ? Form::Encoded : Form::Slots;
     Played played;
-    auto pair = rpc::makeSocketPair();
+    auto pair = makeSocketPair();
     const auto side = makeSide<ClientSide>(played.channel, kConnection, form);
-    Link link(rpc::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
+    Link link(net::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
     link.join(side);
     Peer peer(kj::mv(pair.theirs));
     Liar liar(seed, form);
@@ -197,9 +197,9 @@ TEST(HostileFrames, AHostileProviderReachesOnlyItsChannel) {
 template <class Side>
 std::string refusedOf(const Header& header, std::uint32_t size) {
   Played played;
-  auto pair = rpc::makeSocketPair();
+  auto pair = makeSocketPair();
   const auto side = makeSide<Side>(played.channel, kConnection);
-  Link link(rpc::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
+  Link link(net::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
   link.join(side);
   Peer peer(kj::mv(pair.theirs));
   peer.send(header, std::vector(size, std::byte{0xff}));  // no number

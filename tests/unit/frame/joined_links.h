@@ -5,16 +5,16 @@
 
 #include <memory>
 
-#include "unit/rpc/socket_pair.h"
+#include "support/socket_pair.h"
 
 namespace suture::frame {
 
 /// Holds the client's link and the provider's.
 struct JoinedLinks {
-  JoinedLinks() : JoinedLinks(rpc::makeSocketPair()) {}
-  explicit JoinedLinks(rpc::SocketPair pair)
-      : near(std::make_unique<Link>(rpc::ByteStream(kj::mv(pair.ours)), 1)),
-        far(std::make_unique<Link>(rpc::ByteStream(kj::mv(pair.theirs)), 1)) {}
+  JoinedLinks() : JoinedLinks(makeSocketPair()) {}
+  explicit JoinedLinks(SocketPair pair)
+      : near(std::make_unique<Link>(net::ByteStream(kj::mv(pair.ours)), 1)),
+        far(std::make_unique<Link>(net::ByteStream(kj::mv(pair.theirs)), 1)) {}
 
   /// Gives each of them one turn, the provider's first: the client has what it sends.
   void turn() {

@@ -17,11 +17,11 @@
 #include "support/refusal.h"
 #include "support/refused_call.h"
 #include "support/repetitions.h"
+#include "support/socket_pair.h"
 #include "support/stepped.h"
 #include "support/test_thread.h"
 #include "unit/frame/joined_links.h"
 #include "unit/frame/sides.h"
-#include "unit/rpc/socket_pair.h"
 
 namespace suture::frame {
 namespace {
@@ -228,9 +228,9 @@ TEST_F(LinkTest, NoConnectionTakesAllTheRoom) {
 
 // There is more than a link sends at once, and nothing else would wake its thread.
 TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
-  auto sockets = rpc::makeSocketPair();
-  const auto near = std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.ours)), 1);
-  const auto far = std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.theirs)), 1);
+  auto sockets = makeSocketPair();
+  const auto near = std::make_shared<Link>(net::ByteStream(kj::mv(sockets.ours)), 1);
+  const auto far = std::make_shared<Link>(net::ByteStream(kj::mv(sockets.theirs)), 1);
   std::vector<std::unique_ptr<Pair>> pairs;
   for (std::uint32_t i = 0; i < 64; ++i) {
     pairs.push_back(std::make_unique<Pair>(i));
@@ -260,8 +260,8 @@ TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
 // Nothing would be heard of a socket that the thread cannot watch.
 TEST(LaneThread, BreaksALinkThatItCannotWatch) {
   std::thread([] {  // what is refused to it, is to the thread that it starts
-    auto sockets = rpc::makeSocketPair();
-    const auto link = std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.ours)), 1);
+    auto sockets = makeSocketPair();
+    const auto link = std::make_shared<Link>(net::ByteStream(kj::mv(sockets.ours)), 1);
     Pair pair(1);
     link->join(pair.client);
     LaneThread lane;
@@ -278,9 +278,9 @@ TEST(LaneThread, BreaksALinkThatItCannotWatch) {
 
 TEST(LaneThread, StopsWheneverItIsTold) {
   for (int lap = 0; lap < 3000; ++lap) {
-    auto sockets = rpc::makeSocketPair();
+    auto sockets = makeSocketPair();
     LaneThread lane;
-    lane.add(std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.ours)), 1));
+    lane.add(std::make_shared<Link>(net::ByteStream(kj::mv(sockets.ours)), 1));
     const Time end = now() + std::chrono::microseconds(30 + lap % 50);
     while (now() < end) lane.doorbell()->ring();
   }
@@ -289,7 +289,7 @@ TEST(LaneThread, StopsWheneverItIsTold) {
 // Acknowledgements, and frames of no connection, count in no window: the other links have their
 // turns all the same.
 TEST(Link, AnEndlessPeerGetsItsTurnOnly) {
-  auto sockets = rpc::makeSocketPair();
+  auto sockets = makeSocketPair();
   const int room = 8 << 20;
   if (setsockopt(sockets.theirs, SOL_SOCKET, SO_SNDBUFFORCE, &room, sizeof(room)) != 0) {
     GTEST_SKIP() << "only root may send so much at once";
@@ -300,10 +300,10 @@ TEST(Link, AnEndlessPeerGetsItsTurnOnly) {
       writer.begin({.kind = Kind::Acknowledge, .connection = 9}, 0);
       writer.finish();
     }
-    rpc::sendAll(sockets.theirs, writer.unsent());
+    sendAll(sockets.theirs, writer.unsent());
     writer.sent(writer.unsent().size());
   }
-  Link link(rpc::ByteStream(kj::mv(sockets.ours)), 1);
+  Link link(net::ByteStream(kj::mv(sockets.ours)), 1);
   link.arrived();
   link.turn();
   EXPECT_TRUE(link.hasMore());
@@ -315,8 +315,8 @@ TEST(Link, AnEndlessPeerGetsItsTurnOnly) {
 
 TEST(LaneThread, DropsAnEmptyLinkWithoutAnOwner) {
   const TestClock clock(steppedOptions());
-  auto pair = rpc::makeSocketPair();
-  Link far(rpc::ByteStream(kj::mv(pair.theirs)), 1);
+  auto pair = makeSocketPair();
+  Link far(net::ByteStream(kj::mv(pair.theirs)), 1);
   Pair first(1), second(2);
   for (Pair* const one : {&first, &second}) far.join(one->provider);
   const auto isHeard = [&far](Pair& one) {
@@ -327,7 +327,7 @@ TEST(LaneThread, DropsAnEmptyLinkWithoutAnOwner) {
     });
   };
   LaneThread lane;
-  auto link = std::make_shared<Link>(rpc::ByteStream(kj::mv(pair.ours)), 1);
+  auto link = std::make_shared<Link>(net::ByteStream(kj::mv(pair.ours)), 1);
   const std::weak_ptr<Link> seen = link;
   link->join(first.client);
   lane.add(link);

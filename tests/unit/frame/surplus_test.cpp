@@ -14,9 +14,9 @@
 #include "reference/played_channel.h"
 #include "support/contains.h"
 #include "support/repetitions.h"
+#include "support/socket_pair.h"
 #include "support/test_thread.h"
 #include "unit/frame/sides.h"
-#include "unit/rpc/socket_pair.h"
 
 namespace suture::frame {
 namespace {
@@ -24,8 +24,8 @@ namespace {
 /// Holds a link, and a peer whose values are as large as may be.
 class Growing {
  public:
-  explicit Growing(std::unique_ptr<rpc::PeerBudget::Share> share = nullptr)
-      : link(rpc::ByteStream(kj::mv(sockets_.ours)), 1, std::move(share)) {}
+  explicit Growing(std::unique_ptr<framing::PeerBudget::Share> share = nullptr)
+      : link(net::ByteStream(kj::mv(sockets_.ours)), 1, std::move(share)) {}
 
   /// Adds a connection, and returns what is gone when its end has been noticed.
   std::weak_ptr<Connection> add() {
@@ -62,7 +62,7 @@ class Growing {
                         .connection = number_};
     std::memset(writer_.begin(header, kMostPayload), 0, kMostPayload);
     writer_.finish();
-    rpc::sendAll(sockets_.theirs, writer_.unsent());
+    sendAll(sockets_.theirs, writer_.unsent());
     writer_.sent(writer_.unsent().size());
     std::array<char, 4096> heard;
     while (recv(sockets_.theirs, heard.data(), heard.size(), MSG_DONTWAIT) > 0) continue;
@@ -70,7 +70,7 @@ class Growing {
     link.turn();
   }
 
-  rpc::SocketPair sockets_ = rpc::makeSocketPair();
+  SocketPair sockets_ = makeSocketPair();
   FrameWriter writer_{1};
   std::uint32_t number_ = 0;
 
@@ -86,13 +86,15 @@ TEST(Surplus, IsBoundedForTheWholeLink) {
 }
 
 /// Returns a budget of what one peer, or the whole process, may hold.
-std::shared_ptr<rpc::PeerBudget> budgetOf(std::size_t peer, std::size_t process) {
-  return std::make_shared<rpc::PeerBudget>(rpc::PeerBudget::Limits{peer, process});
+std::shared_ptr<framing::PeerBudget> budgetOf(std::size_t peer, std::size_t process) {
+  return std::make_shared<framing::PeerBudget>(framing::PeerBudget::Limits{peer, process});
 }
 
 TEST(Surplus, IsOfTheBudgetOfItsPeer) {
   const auto budget = budgetOf(10 * kMostPayload, 100 * kMostPayload);
-  const auto share = [&] { return std::make_unique<rpc::PeerBudget::Share>(budget, "the peer"); };
+  const auto share = [&] {
+    return std::make_unique<framing::PeerBudget::Share>(budget, "the peer");
+  };
   const auto unfinished = share();
   ASSERT_FALSE(unfinished->hold(4 * kMostPayload));
   Growing growing(share());
@@ -104,8 +106,8 @@ TEST(Surplus, IsOfTheBudgetOfItsPeer) {
 
 TEST(Surplus, IsOfTheBudgetOfTheProcess) {
   const auto budget = budgetOf(10 * kMostPayload, 12 * kMostPayload);
-  Surplus first(std::make_unique<rpc::PeerBudget::Share>(budget, "one peer"));
-  Surplus second(std::make_unique<rpc::PeerBudget::Share>(budget, "another"));
+  Surplus first(std::make_unique<framing::PeerBudget::Share>(budget, "one peer"));
+  Surplus second(std::make_unique<framing::PeerBudget::Share>(budget, "another"));
   ASSERT_TRUE(first.take(9 * kMostPayload));
   EXPECT_FALSE(second.take(4 * kMostPayload));
   EXPECT_TRUE(contains(second.whyNot(), "the unfinished messages of all peers would need"));
@@ -116,7 +118,9 @@ TEST(Surplus, IsOfTheBudgetOfTheProcess) {
 // A value that has been taken is no unfinished message any more.
 TEST(Surplus, ComesBackOnceAValueIsTaken) {
   const auto budget = budgetOf(10 * kMostPayload, 100 * kMostPayload);
-  const auto share = [&] { return std::make_unique<rpc::PeerBudget::Share>(budget, "the peer"); };
+  const auto share = [&] {
+    return std::make_unique<framing::PeerBudget::Share>(budget, "the peer");
+  };
   Growing first(share()), second(share());
   for (Growing* const one : {&first, &second}) one->add();
   for (int lap = 0; lap < 3; ++lap) {

@@ -42,7 +42,7 @@ class LargeValuesBy : public testing::TestWithParam<Lane> {
   const suture::TemporaryDirectory directory_;
   Exhibition wall_;
   Visitor visitor_;
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   const suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   suture::Manager museum_{"museum", names_.address()}, town_{"town", names_.address()};
 };

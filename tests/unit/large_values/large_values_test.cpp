@@ -158,7 +158,7 @@ TEST(LargeAnswers, APlainClientsCallsAreBounded) {
   const unsigned limit = suture::callLimitOf(suture::interfaceInfo<Gallery>()).calls;
   const suture::TemporaryDirectory directory;
   ClosedWall wall;
-  suture::rpc::ControlThread control;
+  suture::loop::ControlThread control;
   const suture::GlobalManager names{control, "unix:" + directory.file("m.sock")};
   suture::Manager manager("museum", names.address());
   manager.add("Wall", wall);

@@ -58,7 +58,7 @@ class MemoryOfConnectionsBy : public testing::TestWithParam<Lane> {
   HallDevice castle_;
   Visitor visitor_;
   Decorator decorator_;
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   const suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   suture::Manager museum_{"museum", names_.address()}, town_{"town", names_.address()};
 };
@@ -117,7 +117,7 @@ TEST(MemoryOfConnectionsToADevice, IsGivenBackOnceFull) {
   const suture::TemporaryDirectory directory;
   WallDevice panel;
   std::vector<Visitor> visitors(60);
-  suture::rpc::ControlThread control;
+  suture::loop::ControlThread control;
   const suture::GlobalManager names(control, "unix:" + directory.file("m.sock"));
   suture::Manager museum("museum", names.address()), town("town", names.address());
   museum.add("Panel", panel);

@@ -100,7 +100,7 @@ class MessagesBy : public testing::TestWithParam<Lane> {
   const suture::TemporaryDirectory directory_;
   Painter painter_;
   Viewer viewer_, neighbour_;
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   const suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   suture::Manager studio_{"studio", names_.address()}, town_{"town", names_.address()};
   std::vector<std::shared_ptr<suture::Channel>> channels_;

@@ -55,11 +55,12 @@ class Caller {
   Caller(const std::string& provider, std::string bootId, std::uint64_t incarnation = 0)
       : bootId_(std::move(bootId)),
         incarnation_(incarnation),
-        provider_(rpc::Address::parse(provider)) {
+        provider_(net::Address::parse(provider)) {
     control_.run(kPatience, [this] {
-      return rpc::dial(control_.port(), provider_, kPatience).then([this](kj::AutoCloseFd socket) {
-        link_ = kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(control_.port(), kj::mv(socket)),
-                                    capnp::rpc::twoparty::Side::CLIENT);
+      return net::dial(control_.port(), provider_, kPatience).then([this](kj::AutoCloseFd socket) {
+        link_ = kj::heap<framing::Link>(
+            kj::heap<framing::MessageStream>(control_.port(), kj::mv(socket)),
+            capnp::rpc::twoparty::Side::CLIENT);
       });
     });
   }
@@ -115,7 +116,7 @@ class Caller {
     auto hello = peer.helloRequest();
     hello.setVersion(wire::PROTOCOL_VERSION);
     hello.setProcess("left");
-    hello.setBootId(textOf(bootId_));
+    hello.setBootId(codec::textOf(bootId_));
     hello.setIncarnation(incarnation_);
     return hello.send()
         .then([this, peer](auto&&) mutable {
@@ -132,15 +133,15 @@ class Caller {
     request.setLane(toString(lane));
     if (lane == Lane::Shm) {
       auto memory = request.initBrings().initAs<wire::SharedRequest>();
-      memory.setLayout(textOf(memoryLayout(interfaceInfo<reference::ArmLike>())));
-      memory.setBell(handOut(std::make_shared<MemoryBlock>("bell", sizeof(std::uint64_t))));
+      memory.setLayout(codec::textOf(memoryLayout(interfaceInfo<reference::ArmLike>())));
+      memory.setBell(shm::handOut(std::make_shared<MemoryBlock>("bell", sizeof(std::uint64_t))));
     } else {
       const std::uint32_t socket = KJ_ASSERT_NONNULL(calls_).number;
       request.initBrings().initAs<wire::CallsRequest>().setSocket(socket);
     }
     return request.send().then([this](auto&& results) {
       if (results.isRefused()) return fromWire(results.getRefused()).text;
-      if (results.isDeclined()) return stringOf(results.getDeclined());
+      if (results.isDeclined()) return codec::stringOf(results.getDeclined());
       held_.add(results.getAccepted().getConnection());
       return std::string();
     });
@@ -148,9 +149,9 @@ class Caller {
 
   const std::string bootId_;
   const std::uint64_t incarnation_;
-  const rpc::Address provider_;
-  rpc::ControlThread control_;
-  kj::Own<rpc::Link> link_;
+  const net::Address provider_;
+  loop::ControlThread control_;
+  kj::Own<framing::Link> link_;
   kj::Maybe<reference::SecondSocket> calls_;
   kj::Vector<wire::Connection::Client> held_;
 };
@@ -160,8 +161,8 @@ class Epochs : public testing::Test {
   Epochs() {
     there_.add("PSM", arm_);
     there_.start();
-    rpc::ControlThread control;
-    provider_ = control.run(kPatience, [&control, address = rpc::Address::parse(names_.address())] {
+    loop::ControlThread control;
+    provider_ = control.run(kPatience, [&control, address = net::Address::parse(names_.address())] {
       auto link = kj::heap<ManagerLink>(control, std::vector{address}, "test");
       auto& held = *link;
       return held.open(kPatience)
@@ -178,7 +179,7 @@ class Epochs : public testing::Test {
   }
 
   const TemporaryDirectory directory_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   EventArm arm_;
   Manager there_{"there", names_.address()};

@@ -180,7 +180,7 @@ class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, boo
   const TemporaryDirectory directory_;
   TestClock::Process providersNetwork_{clockOfTest()}, provider_{clockOfTest()},
       clientsNetwork_{clockOfTest()}, client_{clockOfTest()};
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   NotingArm arm_;
   NumberingClient teleop_;

@@ -31,7 +31,7 @@ class Peer {
       : link_(control_.run(kPatience,
                            [this, name, manager] {
                              return std::make_unique<ManagerLink>(
-                                 control_, rpc::parseAddresses(manager), name);
+                                 control_, net::parseAddresses(manager), name);
                            })),
         name_(name) {}
   ~Peer() {
@@ -113,7 +113,7 @@ class Peer {
     return self;
   }
 
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   std::unique_ptr<ManagerLink> link_;
   kj::Vector<kj::Promise<ProcessRecord>> waits_;
   kj::Promise<void> awaited_ = nullptr;
@@ -143,7 +143,7 @@ class GlobalManagerTest : public testing::TestWithParam<const char*> {
   }
 
   TemporaryDirectory directory_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   std::unique_ptr<GlobalManager> manager_;
   std::string address_;
 };
@@ -273,13 +273,13 @@ TEST_P(GlobalManagerTest, ARestartedManagerRelearnsItsProcesses) {
 }
 
 TEST_P(GlobalManagerTest, AnotherVersionIsRefusedInWords) {
-  rpc::ControlThread other;
+  loop::ControlThread other;
   const std::string answer = other.run(kPatience, [&other, address = address_] {
-    return rpc::dial(other.port(), rpc::Address::parse(address), kPatience)
+    return net::dial(other.port(), net::Address::parse(address), kPatience)
         .then([&other](kj::AutoCloseFd socket) {
-          auto link =
-              kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(other.port(), kj::mv(socket)),
-                                  capnp::rpc::twoparty::Side::CLIENT);
+          auto link = kj::heap<framing::Link>(
+              kj::heap<framing::MessageStream>(other.port(), kj::mv(socket)),
+              capnp::rpc::twoparty::Side::CLIENT);
           auto request = link->bootstrap<wire::GlobalManager>().helloRequest();
           request.setVersion(999);
           request.setProgram("ancient");
@@ -312,11 +312,11 @@ TEST(ManagerLink, SaysHowToStartAManager) {
 
 TEST(ManagerLink, AProcessWithoutAddressIsUnreachable) {
   const TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager manager(control, "unix:" + directory.file("manager.sock"));
   const std::string error = refusal([&] {
     control.run(kPatience, [&] {
-      auto link = kj::heap<ManagerLink>(control, rpc::parseAddresses(manager.address()), "test");
+      auto link = kj::heap<ManagerLink>(control, net::parseAddresses(manager.address()), "test");
       ProcessRecord homeless;
       homeless.name = "robot";
       auto opened = link->open(kPatience).then(
@@ -330,7 +330,7 @@ TEST(ManagerLink, AProcessWithoutAddressIsUnreachable) {
 TEST(ManagerLink, WaitsForAManagerToStart) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("late.sock");
-  rpc::ControlThread control;
+  loop::ControlThread control;
   Peer left("left", address);
   left.beginToOpen();
   const GlobalManager manager(control, address);
@@ -342,7 +342,7 @@ TEST(ManagerLink, WaitsForAManagerToStart) {
 // Several may share a control thread, which one of them can keep busy for longer than that waits.
 TEST(GlobalManagerOfABusyThread, WaitsForItsControlThread) {
   const TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   auto names = std::make_unique<GlobalManager>(control, "unix:" + directory.file("m.sock"));
   testing::internal::CaptureStderr();
   control.post([] { pass(30s); });

@@ -52,7 +52,7 @@ class Handles : public testing::TestWithParam<bool> {
  protected:
   Handles() {
     if (overRpc()) {
-      control_ = std::make_unique<rpc::ControlThread>();
+      control_ = std::make_unique<loop::ControlThread>();
       global_ =
           std::make_unique<GlobalManager>(*control_, "unix:" + directory_.file("manager.sock"));
       provider_ = std::make_unique<Manager>("robot", global_->address());
@@ -80,7 +80,7 @@ class Handles : public testing::TestWithParam<bool> {
 
  private:
   TemporaryDirectory directory_;
-  std::unique_ptr<rpc::ControlThread> control_;
+  std::unique_ptr<loop::ControlThread> control_;
   std::unique_ptr<GlobalManager> global_;
   std::unique_ptr<Manager> provider_;
 };

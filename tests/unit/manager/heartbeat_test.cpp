@@ -100,7 +100,7 @@ class HeartbeatTest : public testing::Test {
     return watch_.whenLost().exclusiveJoin(kj::mv(never)).wait(port_.scope());
   }
 
-  rpc::EventPort port_;
+  loop::EventPort port_;
   Answers answers_;
   Heartbeat heartbeat_{port_.getTimer(), kj::heap<AnsweringPeer>(answers_)};
   Watched watch_{heartbeat_, "Arm", kBounds};

@@ -54,10 +54,10 @@ void fillIn(wire::Pose::Builder pose) {
 /// Returns why what `send` sends is refused; "" if it is taken, for which an answer may have to
 /// wait.
 template <class Send>
-std::string answerTo(rpc::ControlThread& control, const Send& send) {
+std::string answerTo(loop::ControlThread& control, const Send& send) {
   return control.run(kPatience, [&control, &send] {
     auto refused = send().then([] { return std::string(); },
-                               [](kj::Exception&& failure) { return rpc::describe(failure); });
+                               [](kj::Exception&& failure) { return loop::describe(failure); });
     return refused.exclusiveJoin(
         control.timer().afterDelay(1 * kj::SECONDS).then([] { return std::string(); }));
   });
@@ -67,8 +67,8 @@ class InvalidEvents : public testing::Test {
  protected:
   InvalidEvents() {
     control_.run(kPatience, [this] {
-      port_ =
-          kj::refcounted<rpc::ProxyPort>(control_, channel_, std::make_shared<rpc::LinkCounters>());
+      port_ = kj::refcounted<rpc::ProxyPort>(control_, channel_,
+                                             std::make_shared<framing::LinkCounters>());
       port_->open(kj::heap<LyingArm>(subscriber_));
       return kj::Promise<void>(kj::READY_NOW);
     });
@@ -95,7 +95,7 @@ class InvalidEvents : public testing::Test {
     });
   }
 
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   const std::shared_ptr<Channel> channel_ = reference::armChannel(
       {.client = std::make_shared<rt::Doorbell>(), .provider = control_.sharedDoorbell()}, "rpc");
   kj::Maybe<Events> subscriber_;
@@ -155,7 +155,7 @@ class InvalidCommands : public testing::Test {
   InvalidCommands() {
     control_.run(kPatience, [this] {
       auto port = kj::refcounted<rpc::ServantPort>(control_, channel_,
-                                                   std::make_shared<rpc::LinkCounters>());
+                                                   std::make_shared<framing::LinkCounters>());
       capnp::Capability::Client servant(kj::heap<rpc::Servant>(kj::mv(port)));
       arm_ = servant.castAs<reference::wire::ArmLike>();
       return kj::Promise<void>(kj::READY_NOW);
@@ -200,7 +200,7 @@ class InvalidCommands : public testing::Test {
     control_.doorbell().ring();
   }
 
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   const std::shared_ptr<Channel> channel_ = reference::armChannel(
       {.client = control_.sharedDoorbell(), .provider = std::make_shared<rt::Doorbell>()}, "rpc",
       EventSet{0});

@@ -52,9 +52,9 @@ class Service {
   kj::WaitScope scope_{loop_};
   kj::TimePoint present_ = kj::origin<kj::TimePoint>();
   kj::TimerImpl timer_{present_};
-  rpc::Refusals refusals_{"manager"};
+  net::Refusals refusals_{"manager"};
   wire::GlobalManager::Client manager_ = makeGlobalManager(
-      kj::refcounted<NameService>(timer_), refusals_, std::make_shared<rpc::Caller>());
+      kj::refcounted<NameService>(timer_), refusals_, std::make_shared<framing::Caller>());
   wire::Session::Client session_ = nullptr;
 };
 

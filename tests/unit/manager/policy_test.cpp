@@ -5,7 +5,7 @@
 namespace suture {
 namespace {
 
-using rpc::PeerIdentity;
+using net::PeerIdentity;
 using Proof = PeerIdentity::Proof;
 
 PeerIdentity process(const std::string& name) { return {Proof::Certificate, 0, name}; }

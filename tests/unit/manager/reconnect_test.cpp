@@ -211,7 +211,7 @@ TEST(Reconnect, OverRpcKeepsOnlyTheNewChannel) {
 
 TEST(Reconnect, TheNewRpcChannelIsShown) {
   TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   GlobalManager global{control, "unix:" + directory.file("manager.sock")};
   Client client;
   Manager here{"here", global.address()};
@@ -291,7 +291,7 @@ TEST_P(StartedAgain, ClientsLoseItUntilTheyReconnect) {
 
 TEST(Reconnect, AFailedReconnectSaysWhy) {
   const TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager global(control, "unix:" + directory.file("m.sock"));
   const std::string name = "here:Teleop/Slave -> there:PSM/Arm";
   Client client;

@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 
 TEST(RefusalsTest, ARepeatedRefusalIsToldEachMinute) {
-  rpc::Refusals refusals("left");
+  net::Refusals refusals("left");
   testing::internal::CaptureStderr();
   for (int i = 0; i < 3; ++i) refusals.add("user 7", "talk to it: no");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "left: refused user 7: talk to it: no\n");
@@ -34,7 +34,7 @@ TEST(RefusalsTest, ARepeatedRefusalIsToldEachMinute) {
 }
 
 TEST(RefusalsTest, InventedReasonsFillNoLog) {
-  rpc::Refusals refusals("left");
+  net::Refusals refusals("left");
   testing::internal::CaptureStderr();
   for (int i = 0; i < 1000; ++i) refusals.add("user 7", "use 'left:" + std::to_string(i) + "'");
   const std::string told = testing::internal::GetCapturedStderr();
@@ -43,7 +43,7 @@ TEST(RefusalsTest, InventedReasonsFillNoLog) {
 }
 
 TEST(RefusalsTest, APeersNameIsMadeHarmless) {
-  rpc::Refusals refusals("left");
+  net::Refusals refusals("left");
   testing::internal::CaptureStderr();
   refusals.add("process '\x1b[2J\nright: refused nobody'", "talk to it: no");
   refusals.add(std::string(1u << 20, 'x'), "no");
@@ -92,13 +92,13 @@ TEST(RefusalsTest, TheProviderTellsWhatItsClientHears) {
 
 /// Asks the process behind `address` what "PSM/Leg" is. Returns the refusal, or "".
 std::string whyNotExplained(const std::string& address) {
-  rpc::ControlThread control;
+  loop::ControlThread control;
   return control.run(kPatience, [&] {
-    return rpc::dial(control.port(), rpc::Address::parse(address), kPatience)
+    return net::dial(control.port(), net::Address::parse(address), kPatience)
         .then([&](kj::AutoCloseFd socket) {
-          auto link =
-              kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(control.port(), kj::mv(socket)),
-                                  capnp::rpc::twoparty::Side::CLIENT);
+          auto link = kj::heap<framing::Link>(
+              kj::heap<framing::MessageStream>(control.port(), kj::mv(socket)),
+              capnp::rpc::twoparty::Side::CLIENT);
           auto peer = link->bootstrap<wire::Peer>();
           auto hello = peer.helloRequest();
           hello.setVersion(wire::PROTOCOL_VERSION);

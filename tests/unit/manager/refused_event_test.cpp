@@ -47,7 +47,7 @@ class RefusingSubscriber final : public reference::wire::ArmLikeEvents::Server {
  private:
   static kj::Promise<void> judge(int count) {
     if (count % 2 == 0) return kj::READY_NOW;
-    return rpc::failure(kj::Exception::Type::FAILED, "no such pose");
+    return loop::failure(kj::Exception::Type::FAILED, "no such pose");
   }
 
   Sent& sent_;
@@ -58,13 +58,13 @@ class RefusedEvents : public testing::Test {
   RefusedEvents() {
     there_.add("PSM", arm_);
     there_.start();
-    client_.run(kPatience, [this, names = rpc::Address::parse(names_.address())] {
+    client_.run(kPatience, [this, names = net::Address::parse(names_.address())] {
       auto manager = kj::heap<ManagerLink>(client_, std::vector{names}, "test");
       auto& held = *manager;
       return held.open(kPatience)
           .then([&held] { return held.resolve("there", kPatience); })
           .then([this](ProcessRecord process) {
-            return rpc::dial(client_.port(), rpc::Address::parse(process.addresses.at(0)), 5s);
+            return net::dial(client_.port(), net::Address::parse(process.addresses.at(0)), 5s);
           })
           .then([this](kj::AutoCloseFd socket) { return subscribe(kj::mv(socket)); })
           .attach(kj::mv(manager));
@@ -78,7 +78,8 @@ class RefusedEvents : public testing::Test {
   }
 
   kj::Promise<void> subscribe(kj::AutoCloseFd socket) {
-    link_ = kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(client_.port(), kj::mv(socket)),
+    link_ =
+        kj::heap<framing::Link>(kj::heap<framing::MessageStream>(client_.port(), kj::mv(socket)),
                                 capnp::rpc::twoparty::Side::CLIENT);
     auto peer = link_->bootstrap<wire::Peer>();
     auto hello = peer.helloRequest();
@@ -101,12 +102,12 @@ class RefusedEvents : public testing::Test {
   }
 
   const TemporaryDirectory directory_;
-  rpc::ControlThread control_, client_;
+  loop::ControlThread control_, client_;
   GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   TalkingArm arm_;
   Manager there_{"there", names_.address()};
   Sent sent_;
-  kj::Own<rpc::Link> link_;
+  kj::Own<framing::Link> link_;
   kj::Maybe<reference::wire::ArmLike::Client> contract_;
 };
 

@@ -96,7 +96,7 @@ TEST(Resuming, ADeviceResumesAtItsNextUse) {
 
 TEST(Resuming, AResumeCoversNoLaterLoss) {
   const TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager global(control, "unix:" + directory.file("m.sock"));
   DeviceClient client;
   Operator person;

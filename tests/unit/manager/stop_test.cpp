@@ -94,7 +94,7 @@ class Stop : public testing::TestWithParam<std::optional<Lane>> {
   Manager& clients() { return GetParam() ? console_ : robot_; }
 
   const TemporaryDirectory directory_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   OccupiedArm arm_;
   StopConsole client_;
@@ -148,7 +148,7 @@ class StopOfADevice : public testing::TestWithParam<Lane> {
   }
 
   const TemporaryDirectory directory_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   OccupiedDevice arm_;
   StopConsole client_;
@@ -246,7 +246,7 @@ class SlowLane final : public LaneKind {
   struct Client final : LaneClient {
     std::string whyNot(const OutgoingConnection&) const override { return "it is slow"; }
     kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection&) override {
-      return rpc::failure(kj::Exception::Type::FAILED, "it is slow");
+      return loop::failure(kj::Exception::Type::FAILED, "it is slow");
     }
   };
 };

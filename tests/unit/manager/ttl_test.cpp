@@ -73,7 +73,7 @@ class Ttl : public testing::TestWithParam<std::optional<Lane>> {
   }
 
   const TemporaryDirectory directory_;
-  rpc::ControlThread control_;
+  loop::ControlThread control_;
   GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   SendingClient client_;
   std::uint64_t late_ = 0;

@@ -17,7 +17,7 @@ struct TwoProcesses {
   }
 
   TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   GlobalManager global{control, "unix:" + directory.file("manager.sock")};
   Manager there{"there", global.address()}, here{"here", global.address()};
 };

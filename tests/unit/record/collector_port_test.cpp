@@ -58,7 +58,7 @@ class Collectors : public testing::TestWithParam<Lane> {
     });
   }
 
-  rpc::ControlThread control;
+  loop::ControlThread control;
   GlobalManager names{control, "tcp://127.0.0.1:0"};
   Manager manager{"here", names.address()};
   reference::SimulatedArm arm{{}};

@@ -130,7 +130,7 @@ TEST(StateCollector, CollectsOnlyFromStartToStop) {
 }
 
 TEST(StateCollector, ALanesRowsAreAccountedFor) {
-  rpc::ControlThread control;
+  loop::ControlThread control;
   GlobalManager names(control, "tcp://127.0.0.1:0");
   reference::SimulatedArm arm{{}};
   CountingSink sink;
@@ -200,7 +200,7 @@ struct ArmDevice final : Device {
 };
 
 TEST(StateCollector, DevicesAreCollectedOverALaneOnly) {
-  rpc::ControlThread control;
+  loop::ControlThread control;
   GlobalManager names(control, "tcp://127.0.0.1:0");
   ArmDevice device;
   CountingSink sink;

@@ -2,6 +2,7 @@
 #include <suture/loop/kj_comparisons.h>  // first
 
 #include <gtest/gtest.h>
+#include <kj/debug.h>
 #include <suture/framing/remote_error.h>
 #include <suture/lane/rpc/servant.h>
 #include <suture/loop/control_thread.h>
@@ -18,10 +19,11 @@ namespace {
 
 /// This is the provider's end of a connection, whose task the test plays.
 struct Provider {
-  explicit Provider(ControlThread& control)
+  explicit Provider(loop::ControlThread& control)
       : channel(reference::armChannel(
             {.client = control.sharedDoorbell(), .provider = bell, .watcher = bell}, "rpc")),
-        port(kj::refcounted<ServantPort>(control, channel, std::make_shared<LinkCounters>())),
+        port(kj::refcounted<ServantPort>(control, channel,
+                                         std::make_shared<framing::LinkCounters>())),
         arm(capnp::Capability::Client(kj::heap<Servant>(kj::addRef(*port)))
                 .castAs<reference::wire::ArmLike>()) {}
   ~Provider() noexcept(false) { port->close(); }
@@ -43,7 +45,7 @@ struct Provider {
 /// Returns how a call ends that is being executed when `end` happens to the provider.
 template <class End>
 Errc outcomeOf(const End& end) {
-  ControlThread control;
+  loop::ControlThread control;
   return control.run(kPatience, [&control, &end] {
     auto provider = kj::heap<Provider>(control);
     kj::Promise<void> call = provider->call();
@@ -52,7 +54,7 @@ Errc outcomeOf(const End& end) {
       control.doorbell().ring();
     });
     return ended.then([call = kj::mv(call)]() mutable { return kj::mv(call); })
-        .then([] { return Errc{}; }, [](kj::Exception&& why) { return errcOf(why); })
+        .then([] { return Errc{}; }, [](kj::Exception&& why) { return framing::errcOf(why); })
         .attach(kj::mv(provider));
   });
 }
@@ -87,7 +89,7 @@ TEST(ServantPort, AFaultIsTold) {
 
 // Each ring wakes a sleeping task, which would take the calls of a burst one by one.
 TEST(ServantPort, RingsOnceForABurst) {
-  ControlThread control;
+  loop::ControlThread control;
   control.run(kPatience, [&control] {
     auto provider = kj::heap<Provider>(control);
     provider->bell->takeRing();
@@ -131,12 +133,12 @@ class Hearer final : public ArmEvents::Server {
 };
 
 /// Resolves when nothing else is left to do.
-kj::Promise<void> restOf(ControlThread& control) {
+kj::Promise<void> restOf(loop::ControlThread& control) {
   return control.timer().afterDelay(0 * kj::NANOSECONDS);
 }
 
 /// Pushes an event and a row for a subscriber that comes now, and lives as long as the hearer.
-kj::Promise<void> emitTo(ControlThread& control, Provider& provider, int* heard) {
+kj::Promise<void> emitTo(loop::ControlThread& control, Provider& provider, int* heard) {
   provider.channel->events.push(kStopped, now(), {});
   rt::RowColumns columns;
   columns.valid = 1;
@@ -148,7 +150,7 @@ kj::Promise<void> emitTo(ControlThread& control, Provider& provider, int* heard)
 }
 
 TEST(ServantPort, GoneSubscribersTakeNoPlaces) {
-  ControlThread control;
+  loop::ControlThread control;
   int heard = 0;
   control.run(kPatience, [&] {
     auto provider = kj::heap<Provider>(control);
@@ -180,7 +182,7 @@ class SlowHearer final : public ArmEvents::Server {
 };
 
 TEST(ServantPort, ALateSubscriberEndsNoLaterSubscription) {
-  ControlThread control;
+  loop::ControlThread control;
   kj::Own<kj::PromiseFulfiller<void>> answer;
   int heard = 0;
   control.run(kPatience, [&] {
@@ -208,7 +210,7 @@ TEST(ServantPort, ALateSubscriberEndsNoLaterSubscription) {
 
 // A command that a fault has rejected still waits in the mailbox.
 TEST(ServantPort, AFaultGivesNoLaterCredit) {
-  ControlThread control;
+  loop::ControlThread control;
   bool second = false, early = false;
   control.run(kPatience, [&] {
     auto provider = kj::heap<Provider>(control);
@@ -264,7 +266,7 @@ class Kept final : public Interface::Server {
 
 // The client's capabilities hold its end, and that holds the provider's.
 TEST(ServantPort, KeepsNothingOfALateClient) {
-  ControlThread control;
+  loop::ControlThread control;
   bool counts = false, events = false;
   control.run(kPatience, [&] {
     auto provider = kj::heap<Provider>(control);

@@ -14,7 +14,7 @@
 #include "reference/played_channel.h"
 #include "support/eventually.h"
 #include "support/patience.h"
-#include "unit/rpc/socket_pair.h"
+#include "support/socket_pair.h"
 
 namespace suture::rpc {
 namespace {
@@ -40,7 +40,8 @@ class CallStamps : public testing::Test {
   CallStamps() {
     control_.run(kPatience, [this] {
       SocketPair pair = makeSocketPair();
-      servant_ = kj::refcounted<ServantPort>(control_, far_, std::make_shared<LinkCounters>());
+      servant_ =
+          kj::refcounted<ServantPort>(control_, far_, std::make_shared<framing::LinkCounters>());
       providersLink_ = linkOn(kj::mv(pair.theirs), Side::SERVER,
                               capnp::Capability::Client(kj::heap<Servant>(kj::addRef(*servant_))));
       clientsLink_ = linkOn(kj::mv(pair.ours), Side::CLIENT, nullptr);
@@ -70,21 +71,21 @@ class CallStamps : public testing::Test {
     return stamp;
   }
 
-  ControlThread control_;
+  loop::ControlThread control_;
   const std::shared_ptr<rt::Doorbell> bell_ = std::make_shared<rt::Doorbell>();
   const std::shared_ptr<Channel> near_ = makeChannel(bell_, control_.sharedDoorbell(), -7s);
   const std::shared_ptr<Channel> far_ = makeChannel(control_.sharedDoorbell(), bell_, 0s);
   kj::Own<ServantPort> servant_;
   kj::Own<ProxyPort> proxy_;
-  kj::Own<Link> providersLink_, clientsLink_;
+  kj::Own<framing::Link> providersLink_, clientsLink_;
 
  private:
   using Side = capnp::rpc::twoparty::Side;
 
-  kj::Own<Link> linkOn(kj::AutoCloseFd socket, Side side,
-                       kj::Maybe<capnp::Capability::Client> offers) {
-    return kj::heap<Link>(kj::heap<MessageStream>(control_.port(), kj::mv(socket)), side,
-                          kj::mv(offers));
+  kj::Own<framing::Link> linkOn(kj::AutoCloseFd socket, Side side,
+                                kj::Maybe<capnp::Capability::Client> offers) {
+    return kj::heap<framing::Link>(
+        kj::heap<framing::MessageStream>(control_.port(), kj::mv(socket)), side, kj::mv(offers));
   }
 };
 

@@ -9,12 +9,12 @@ namespace suture::rpc {
 namespace {
 
 TEST(TurnRing, RingsForTheFirstAndAfterMany) {
-  ControlThread control;
+  loop::ControlThread control;
   control.run(kPatience, [&control] {
     struct Counted {
       unsigned rings = 0;
       TurnRing ring;
-      explicit Counted(ControlThread& control) : ring(control, [this] { ++rings; }) {}
+      explicit Counted(loop::ControlThread& control) : ring(control, [this] { ++rings; }) {}
     };
     auto counted = kj::heap<Counted>(control);
     counted->ring.arrived();

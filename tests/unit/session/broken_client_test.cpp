@@ -83,10 +83,10 @@ class Client : public reference::PlayedClient {
   /// Shows a token that it was not given.
   void forge() {
     control_.run(kPatience, [this] {
-      return rpc::dial(control_.port(), provider(), kPatience)
+      return net::dial(control_.port(), provider(), kPatience)
           .then([this](kj::AutoCloseFd socket) {
-            return rpc::exchangeToken(control_.port(), rpc::ByteStream(kj::mv(socket)),
-                                      rpc::Token{});
+            return framing::exchangeToken(control_.port(), net::ByteStream(kj::mv(socket)),
+                                          framing::Token{});
           })
           .ignoreResult();
     });
@@ -175,7 +175,7 @@ class Client : public reference::PlayedClient {
   /// Gives the process no bell after all.
   void withholdBells() {
     control_.run(kPatience, [this] {
-      for (auto& bell : bells_) bell->reject(rpc::disconnected("there is no bell"));
+      for (auto& bell : bells_) bell->reject(loop::disconnected("there is no bell"));
     });
   }
   /// Awaits what it asked for no longer.
@@ -213,8 +213,8 @@ class Client : public reference::PlayedClient {
     control_.run(kPatience, [&] {
       return reference::openSecondSocket(control_.port(), provider(), peer())
           .then([this, connection](reference::SecondSocket socket) {
-            auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(socket.bytes));
-            link_ = kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
+            auto stream = kj::heap<framing::MessageStream>(control_.port(), kj::mv(socket.bytes));
+            link_ = kj::heap<framing::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
             auto request = link_->bootstrap<wire::Calls>().contractRequest();
             request.setConnection(connection);
             return request.send().ignoreResult();
@@ -224,7 +224,7 @@ class Client : public reference::PlayedClient {
 
  private:
   std::string openArm() { return open("PSM", "Arm"); }
-  kj::Own<rpc::Link> link_;
+  kj::Own<framing::Link> link_;
   std::vector<kj::Promise<bool>> asked_;
   std::vector<kj::Own<kj::PromiseFulfiller<wire::SharedMemory::Client>>> bells_;
   std::vector<capnp::Capability::Client> opened_;

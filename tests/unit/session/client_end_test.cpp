@@ -24,7 +24,7 @@ class ClientEnds : public testing::Test {
   }
 
   const std::shared_ptr<Channel> channel = reference::armChannel(reference::playedEnds(), "frame");
-  kj::Own<rpc::ClientEnd> end = kj::refcounted<rpc::ClientEnd>(channel);
+  kj::Own<ClientEnd> end = kj::refcounted<ClientEnd>(channel);
   Reasons told;
 };
 

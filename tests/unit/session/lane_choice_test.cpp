@@ -34,7 +34,7 @@ class HopefulLane final : public LaneKind {
   struct Attempt final : LaneAttempt {
     void request(capnp::AnyPointer::Builder) override {}
     kj::Promise<OpenedEnd> open(OutgoingConnection, capnp::AnyPointer::Reader) override {
-      return rpc::failure(kj::Exception::Type::FAILED, "nobody accepts");
+      return loop::failure(kj::Exception::Type::FAILED, "nobody accepts");
     }
   };
   struct Client final : LaneClient {
@@ -46,7 +46,7 @@ class HopefulLane final : public LaneKind {
   struct Server final : LaneServer {
     kj::Promise<AcceptedEnd> accept(IncomingConnection, capnp::AnyPointer::Reader,
                                     capnp::AnyPointer::Builder) override {
-      return rpc::failure(kj::Exception::Type::FAILED, "there is no hope");
+      return loop::failure(kj::Exception::Type::FAILED, "there is no hope");
     }
     void opened(LaneSocket) override {}
   };
@@ -68,7 +68,7 @@ class FailingLane final : public LaneKind {
     std::string whyNot(const OutgoingConnection&) const override { return ""; }
     kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection&) override {
       ++lane_.attempts_;
-      return rpc::failure(kj::Exception::Type::FAILED, std::string(lane_.name_) + " is broken");
+      return loop::failure(kj::Exception::Type::FAILED, std::string(lane_.name_) + " is broken");
     }
     FailingLane& lane_;
   };
@@ -159,7 +159,7 @@ class SocketSeeker : public reference::PlayedClient {
       request.setLane(lane);
       answer_ = request.send()
                     .then([this](auto&&) { said_ = "given"; },
-                          [this](kj::Exception&& why) { said_ = rpc::describe(why); })
+                          [this](kj::Exception&& why) { said_ = loop::describe(why); })
                     .eagerlyEvaluate(nullptr);
       return peer().pingRequest().send().ignoreResult();
     });

@@ -70,14 +70,14 @@ class LeavingProcess {
  public:
   LeavingProcess(const std::string& manager, Leaves when) {
     control_.run(kPatience, [&] {
-      server_ = std::make_unique<rpc::LinkServer>(
-          control_.port(), rpc::Address::parse(manager + ".leaving"),
+      server_ = std::make_unique<framing::LinkServer>(
+          control_.port(), net::Address::parse(manager + ".leaving"),
           [this, when](auto) -> capnp::Capability::Client {
             return wire::Peer::Client(kj::heap<LeavingPeer>(
                 when, [this] { control_.spawn(kj::evalLater([this] { server_.reset(); })); }));
           },
           refusals_);
-      link_ = std::make_unique<ManagerLink>(control_, rpc::parseAddresses(manager), "robot");
+      link_ = std::make_unique<ManagerLink>(control_, net::parseAddresses(manager), "robot");
       return link_->open(kPatience).then([this] {
         return link_->enrol({.name = "robot",
                              .addresses = {server_->address().text()},
@@ -98,9 +98,9 @@ class LeavingProcess {
   LeavingProcess& operator=(const LeavingProcess&) = delete;
 
  private:
-  rpc::Refusals refusals_{"robot"};
-  rpc::ControlThread control_;
-  std::unique_ptr<rpc::LinkServer> server_;
+  net::Refusals refusals_{"robot"};
+  loop::ControlThread control_;
+  std::unique_ptr<framing::LinkServer> server_;
   std::unique_ptr<ManagerLink> link_;
 };
 
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Moments, Leaving,
 
 TEST_P(Leaving, IsHeardOfAtOnce) {
   const TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager names(control, "unix:" + directory.file("m.sock"));
   const LeavingProcess robot(names.address(), GetParam());
   Teleop teleop;
@@ -132,7 +132,7 @@ TEST_P(Leaving, IsHeardOfAtOnce) {
 
 TEST(Token, OfAnImpossibleSizeOpensNoLane) {
   const TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager names(control, "unix:" + directory.file("m.sock"));
   const LeavingProcess robot(names.address(), Leaves::Never);
   Teleop teleop;

@@ -29,7 +29,7 @@ class OpenedOnceTest : public testing::Test {
     });
   }
 
-  rpc::EventPort port_;
+  loop::EventPort port_;
   OpenedOnce<Thing> once_;
   kj::Own<kj::PromiseFulfiller<Opened>> let_;
   int openings_ = 0;
@@ -56,7 +56,7 @@ TEST_F(OpenedOnceTest, AnAskersEndHurtsNoOthers) {
 
 TEST_F(OpenedOnceTest, AFailureIsSharedAndTriedAgain) {
   auto first = ask(), second = ask();
-  let_->reject(rpc::failure(kj::Exception::Type::FAILED, "no such thing"));
+  let_->reject(loop::failure(kj::Exception::Type::FAILED, "no such thing"));
   EXPECT_THROW(first.wait(port_.scope()), kj::Exception);
   EXPECT_THROW(second.wait(port_.scope()), kj::Exception);
   auto third = ask();

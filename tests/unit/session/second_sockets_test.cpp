@@ -16,7 +16,7 @@
 #include "reference/remote_arm.h"
 #include "support/contains.h"
 #include "support/refusal.h"
-#include "unit/rpc/socket_pair.h"
+#include "support/socket_pair.h"
 
 namespace suture {
 namespace {
@@ -25,14 +25,14 @@ class SocketOpener : public reference::PlayedClient {
  public:
   explicit SocketOpener(const std::string& manager) : PlayedClient(manager, "robot") { greet(); }
 
-  rpc::ByteStream open(const char* lane = "rpc") {
+  net::ByteStream open(const char* lane = "rpc") {
     return control_.run(kPatience, [this, lane] {
       return reference::openSecondSocket(control_.port(), provider(), peer(), lane)
           .then([](reference::SecondSocket socket) { return kj::mv(socket.bytes); });
     });
   }
-  std::vector<rpc::ByteStream> open(std::size_t count) {
-    std::vector<rpc::ByteStream> sockets;
+  std::vector<net::ByteStream> open(std::size_t count) {
+    std::vector<net::ByteStream> sockets;
     while (sockets.size() < count) sockets.push_back(open());
     return sockets;
   }
@@ -62,16 +62,16 @@ TEST_F(SecondSockets, UnfinishedMessagesAreBoundedInSum) {
   SocketOpener client(manager());
   const std::vector<std::byte> begun = begunMessage();
   EXPECT_TRUE(eventually([&] {
-    const std::vector<rpc::ByteStream> greedy = client.open(5);
-    for (const rpc::ByteStream& one : greedy) rpc::sendAll(one.socket(), begun);
+    const std::vector<net::ByteStream> greedy = client.open(5);
+    for (const net::ByteStream& one : greedy) sendAll(one.socket(), begun);
     return contains(robot->refusals().latest, "would need more than 67108864 bytes");
   })) << robot->refusals().latest;
 }
 
 TEST_F(SecondSockets, OfAllSessionsAreBounded) {
   SocketOpener first(manager()), second(manager());
-  std::vector<rpc::ByteStream> held = first.open(1000);
-  const std::vector<rpc::ByteStream> more = second.open(24);
+  std::vector<net::ByteStream> held = first.open(1000);
+  const std::vector<net::ByteStream> more = second.open(24);
   const std::string refused = refusal([&] { second.open(); });
   EXPECT_TRUE(contains(refused, "it has 1024 of them, and no process has more")) << refused;
   EXPECT_TRUE(contains(robot->refusals().latest, refused)) << robot->refusals().latest;

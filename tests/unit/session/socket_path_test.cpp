@@ -26,7 +26,7 @@ constexpr std::size_t kLongest = 107;  // of the path of a socket
 // Its name is part of the path, so it must not lead into another folder.
 TEST(SocketPath, APathIsNoProcessName) {
   const TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager names(control, "unix:" + directory.file("m.sock"));
   for (const std::string name : {"a/b", "/a", "", "a:b"}) {
     EXPECT_EQ(refusal([&] { Manager process(name, names.address()); }),
@@ -42,7 +42,7 @@ TEST(SocketPath, ATooLongOwnPathIsTold) {
   const std::size_t room = kLongest - directory.path().string().size() - tail.size() - 1;
   const std::string folder = directory.file(std::string(room, 'f'));
   std::filesystem::create_directory(folder);
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager names(control, "unix:" + folder + tail);
   for (const std::size_t length : {12u, 40u, 100u}) {
     const std::string error =
@@ -59,10 +59,10 @@ TEST(SocketPath, ATooLongOwnPathIsTold) {
 
 /// Leaves a socket behind, as a process does that is killed.
 void leaveSocket(const std::string& path) {
-  rpc::Address address;
+  net::Address address;
   address.path = path;
   const kj::AutoCloseFd bound(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  const rpc::SocketAddress target(address);
+  const net::SocketAddress target(address);
   EXPECT_EQ(bind(bound, target.get(), target.length), 0);
 }
 
@@ -79,7 +79,7 @@ TEST(SocketPath, LeftoversOfItsNameAreRemoved) {
   leaveSocket(begun);
   const kj::AutoCloseFd held(open((begun + ".bind").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
   ASSERT_EQ(flock(held, LOCK_EX), 0);
-  rpc::ControlThread control;
+  loop::ControlThread control;
   const GlobalManager names(control, "unix:" + directory.file("m.sock"));
   const Manager process("arm", names.address());
   EXPECT_FALSE(std::filesystem::exists(killed));

@@ -29,7 +29,7 @@ struct TakeOver : RemoteArm {
     begin(unixAddress(),
           Policy({{"user:same", commands}, {"user:" + std::to_string(kNobody), looks}}));
   }
-  rpc::Address robotsAddress() const {
+  net::Address robotsAddress() const {
     return reference::PlayedClient(manager(), "robot").provider();
   }
 };
@@ -61,14 +61,14 @@ kj::Promise<void> greetAsTheConsole(wire::Peer::Client robot) {
 enum class Socket { Own, None };
 
 /// Asks in a session of its own. Returns why there is no connection.
-std::string answerTo(const rpc::Address& robot, Socket socket) {
-  rpc::ControlThread control;
+std::string answerTo(const net::Address& robot, Socket socket) {
+  loop::ControlThread control;
   return control.run(kPatience, [&control, robot, socket] {
-    return rpc::dial(control.port(), robot, kPatience)
+    return net::dial(control.port(), robot, kPatience)
         .then([&control, robot, socket](kj::AutoCloseFd dialled) {
           auto stream =
-              kj::heap<rpc::MessageStream>(control.port(), rpc::ByteStream(kj::mv(dialled)));
-          auto link = kj::heap<rpc::Link>(kj::mv(stream), Side::CLIENT);
+              kj::heap<framing::MessageStream>(control.port(), net::ByteStream(kj::mv(dialled)));
+          auto link = kj::heap<framing::Link>(kj::mv(stream), Side::CLIENT);
           auto peer = link->bootstrap<wire::Peer>();
           return greetAsTheConsole(peer)
               .then([&control, robot, socket, peer]() mutable -> kj::Promise<std::string> {
@@ -87,7 +87,7 @@ std::string answerTo(const rpc::Address& robot, Socket socket) {
 TEST_F(TakeOver, AnotherUserCannotTakeTheName) {
   if (geteuid() != 0) GTEST_SKIP() << "needs root, to be somebody else";
   connect();
-  const rpc::Address address = robotsAddress();
+  const net::Address address = robotsAddress();
   std::filesystem::permissions(std::filesystem::path(address.path).parent_path(),
                                std::filesystem::perms::all);
   std::string answer;

@@ -54,7 +54,7 @@ class UnboundedRows : public testing::Test {
   const suture::TemporaryDirectory directory_;
   Desk desk_;
   Clerk clerk_;
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   const suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   suture::Manager office_{"office", names_.address()}, home_{"home", names_.address()};
 };

@@ -73,7 +73,7 @@ struct System {
   }
 
   TemporaryDirectory directory;
-  rpc::ControlThread control;
+  loop::ControlThread control;
   GlobalManager global{control, "unix:" + directory.file("manager.sock")};
   ArmTask arm;
   Operator user;
@@ -113,8 +113,8 @@ class OtherProcess {
     EXPECT_EQ(pipe(ready), 0);
     process_ = fork();
     if (process_ == 0) {
-      rpc::EventPort port;
-      const rpc::Listener listener(port, rpc::Address::parse("unix:" + path));
+      loop::EventPort port;
+      const net::Listener listener(port, net::Address::parse("unix:" + path));
       [[maybe_unused]] const auto told = write(ready[1], "r", 1);
       for (;;) pause();
     }
@@ -137,13 +137,13 @@ TEST(SteppedClock, RefusesToTalkToAnotherProcess) {
   const std::string path = directory.file("other.sock");
   const OtherProcess other(path);
   TestClock clock;
-  rpc::EventPort port;
+  loop::EventPort port;
   std::string said;
   KJ_IF_MAYBE (failure, kj::runCatchingExceptions([&] {
-                 reach(port, rpc::Address::parse("unix:" + path), {}, "other", 1s)
+                 reach(port, net::Address::parse("unix:" + path), {}, "other", 1s)
                      .wait(port.scope());
                })) {
-    said = rpc::describe(*failure);
+    said = loop::describe(*failure);
   }
   EXPECT_THAT(said, testing::HasSubstr("cannot follow the stepped clock of this one"));
 }

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <span>
 
-namespace suture::rpc {
+namespace suture::codec {
 struct Codec;
 }
 
@@ -99,7 +99,7 @@ struct InterfaceInfo {
   const char* description;  ///< JSON: types, units, documentation
   std::span<const CommandInfo> commands;
   std::span<const EventInfo> events;
-  const rpc::Codec& (*codec)();  ///< how the contract travels as Cap'n Proto
+  const codec::Codec& (*codec)();  ///< how the contract travels as Cap'n Proto
   /// Returns the contract that this one derives from, or is null. That contract's commands, events
   /// and columns are the first of this one's.
   const InterfaceInfo& (*base)() = nullptr;

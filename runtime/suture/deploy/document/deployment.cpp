@@ -75,8 +75,8 @@ void Deployment::readManager() {
   const auto given = document_.value().find("manager");
   if (given == document_.value().end()) return;
   try {
-    for (rpc::Address address : rpc::parseAddresses(*given)) {
-      if (address.kind == rpc::Address::Kind::Unix) address.path = besideIt(address.path).string();
+    for (net::Address address : net::parseAddresses(*given)) {
+      if (address.kind == net::Address::Kind::Unix) address.path = besideIt(address.path).string();
       manager_ += (manager_.empty() ? "" : ",") + address.text();
     }
   } catch (const SetupError& error) {

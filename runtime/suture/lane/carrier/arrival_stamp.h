@@ -1,8 +1,8 @@
 #pragma once
 // This says when a value that comes from a peer was made.
 
+#include <suture/codec/stamps.h>
 #include <suture/component/channel/channel.h>
-#include <suture/wire/stamps.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace suture {
 inline Time arrivalStamp(const Channel& channel, std::int64_t stamp) {
   const Time received = now();
   if (stamp == 0) return received;
-  return std::clamp(fromNanoseconds(rpc::shifted(stamp, channel.clockShift())), Time{}, received);
+  return std::clamp(fromNanoseconds(codec::shifted(stamp, channel.clockShift())), Time{}, received);
 }
 
 }  // namespace suture

@@ -9,13 +9,13 @@
 
 #include <memory>
 
-namespace suture {
+namespace suture::frame {
 
 /// Belongs to the control thread. Beside what every end does, it checks if the connection's socket
 /// is broken.
-class FrameEnd final : public rpc::ClientEnd, private rpc::Pump {
+class FrameEnd final : public ClientEnd, private loop::Pump {
  public:
-  FrameEnd(rpc::ControlThread& control, std::shared_ptr<Channel> channel,
+  FrameEnd(loop::ControlThread& control, std::shared_ptr<Channel> channel,
            std::shared_ptr<frame::Connection> connection);
   ~FrameEnd() noexcept(false) { close(ChannelStatus::Closed); }
 
@@ -23,8 +23,8 @@ class FrameEnd final : public rpc::ClientEnd, private rpc::Pump {
   void ending() override { control_.remove(*this); }
   void pump() override;
 
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
   const std::shared_ptr<frame::Connection> connection_;
 };
 
-}  // namespace suture
+}  // namespace suture::frame

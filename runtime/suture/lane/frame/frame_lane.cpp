@@ -1,12 +1,12 @@
 #include <suture/base/errors.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/text.h>
 #include <suture/frame.capnp.h>
 #include <suture/lane/frame/frame_lane.h>
 #include <suture/lane/frame/framed_connection.h>
 #include <suture/lane/opened_once.h>
 #include <suture/loop/failure.h>
 #include <suture/net/socket.h>
-#include <suture/wire/codec.h>
-#include <suture/wire/text.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct SessionLink {
   SessionLink(LaneSocket socket, LaneThread& thread)
       : number(socket.number),
         link(std::make_shared<Link>(kj::mv(socket.bytes), number, std::move(socket.share))) {
-    rpc::keepUnsentShort(link->descriptor());
+    net::keepUnsentShort(link->descriptor());
     thread.add(link);
   }
   bool broken() const { return link->broken(); }
@@ -51,7 +51,7 @@ std::vector<std::uint16_t> numbersOf(capnp::List<wire::FrameRequest::Method>::Re
   std::vector<std::uint16_t> numbers(names.size(), ProviderSide::kUnknown);
   for (unsigned i = 0; i < names.size(); ++i) {
     const auto found =
-        std::find_if(commands.begin(), commands.end(), [&](const rpc::CommandCodec& one) {
+        std::find_if(commands.begin(), commands.end(), [&](const codec::CommandCodec& one) {
           return one.interface == names[i].getInterface() && one.method == names[i].getOrdinal();
         });
     if (found != commands.end()) {
@@ -74,7 +74,7 @@ ClientCommands commandsOf(wire::FrameRequest::Reader request, const InterfaceInf
 class FrameAttempt final : public LaneAttempt {
  public:
   /// `mayBeSlots` says that slots mean the same in both processes, if they lie in memory alike.
-  FrameAttempt(FrameLane& lane, rpc::ControlThread& control, const InterfaceInfo& contract,
+  FrameAttempt(FrameLane& lane, loop::ControlThread& control, const InterfaceInfo& contract,
                std::shared_ptr<SessionLink> link, bool mayBeSlots)
       : lane_(lane),
         control_(control),
@@ -84,7 +84,7 @@ class FrameAttempt final : public LaneAttempt {
 
   void request(capnp::AnyPointer::Builder out) override {
     auto request = out.initAs<wire::FrameRequest>();
-    if (mayBeSlots_) request.setLayout(textOf(memoryLayout(contract_)));
+    if (mayBeSlots_) request.setLayout(codec::textOf(memoryLayout(contract_)));
     request.setSocket(link_->number);
     describeCommands(contract_, request);
   }
@@ -100,7 +100,7 @@ class FrameAttempt final : public LaneAttempt {
 
  private:
   FrameLane& lane_;
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
   const InterfaceInfo& contract_;
   const std::shared_ptr<SessionLink> link_;
   const bool mayBeSlots_;
@@ -133,13 +133,13 @@ class FrameClient final : public LaneClient {
 
   void bear(Duration silence) override {
     longest_ = silence;
-    if (link_ != nullptr) rpc::breakWhenUnanswered(link_->link->descriptor(), silence);
+    if (link_ != nullptr) net::breakWhenUnanswered(link_->link->descriptor(), silence);
   }
 
  private:
   kj::Promise<std::shared_ptr<SessionLink>> open() {
     return session_.openSocket(lane_.name()).then([this](LaneSocket&& socket) {
-      rpc::breakWhenUnanswered(socket.bytes.socket(), longest_);
+      net::breakWhenUnanswered(socket.bytes.socket(), longest_);
       return std::make_shared<SessionLink>(kj::mv(socket), lane_.thread());
     });
   }
@@ -151,7 +151,7 @@ class FrameClient final : public LaneClient {
   std::shared_ptr<SessionLink> link_;  // as long as the session has no other
 };
 
-class FrameServer final : public LaneServer, private rpc::Pump {
+class FrameServer final : public LaneServer, private loop::Pump {
  public:
   FrameServer(FrameLane& lane, ServerSession& session) : lane_(lane), session_(session) {
     session_.control().add(*this);
@@ -169,8 +169,9 @@ class FrameServer final : public LaneServer, private rpc::Pump {
     std::string why = whyUnbounded(connection.contract);
     if (why.empty() && !carries(request.getSocket())) why = "the session's frames have ended";
     if (why.empty() && hasTooMany(request)) why = "it has too many commands";
-    if (!why.empty()) return rpc::failure(kj::Exception::Type::FAILED, why);
-    const bool encoded = !whyOtherSlots(connection.contract, stringOf(request.getLayout())).empty();
+    if (!why.empty()) return loop::failure(kj::Exception::Type::FAILED, why);
+    const bool encoded =
+        !whyOtherSlots(connection.contract, codec::stringOf(request.getLayout())).empty();
     auto accepted = answer.initAs<wire::FrameAnswer>();
     accepted.setConnection(++latest_);
     accepted.setEncoded(encoded);

@@ -26,7 +26,7 @@ void tellReceived(std::uint32_t) {}
 
 }  // namespace
 
-FrameSocket::FrameSocket(rpc::ByteStream bytes, std::uint32_t epoch)
+FrameSocket::FrameSocket(net::ByteStream bytes, std::uint32_t epoch)
     : epoch_(epoch), bytes_(std::move(bytes)), reader_(epoch), writer_(epoch) {}
 
 const Header* FrameSocket::next() {
@@ -38,7 +38,7 @@ const Header* FrameSocket::next() {
 
 bool FrameSocket::receive() {
   while (!broken() && !empty_) {
-    rpc::Descriptors none;
+    net::Descriptors none;
     const auto space = reader_.space();
     const ssize_t count = bytes_.receive(space, none);
     if (count > 0) {

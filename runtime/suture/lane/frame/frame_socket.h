@@ -14,7 +14,7 @@ namespace suture::frame {
 /// Belongs to the lane thread. Sends and receives frames; never blocks.
 class FrameSocket {
  public:
-  FrameSocket(rpc::ByteStream bytes, std::uint32_t epoch);
+  FrameSocket(net::ByteStream bytes, std::uint32_t epoch);
 
   int descriptor() const { return bytes_.socket(); }
 
@@ -57,7 +57,7 @@ class FrameSocket {
 
  private:
   const std::uint32_t epoch_;
-  rpc::ByteStream bytes_;
+  net::ByteStream bytes_;
   FrameReader reader_;
   FrameWriter writer_;
   bool empty_ = false;  // nothing has arrived that has not been received

@@ -10,7 +10,7 @@
 namespace suture::frame {
 
 OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
-                     rpc::ControlThread& control) {
+                     loop::ControlThread& control) {
   const std::shared_ptr<rt::Doorbell> bell = on.thread.doorbell();
   auto channel = mirroredChannel(std::move(connection), on.lane, bell, control);
   const auto side =
@@ -22,7 +22,7 @@ OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
 }
 
 AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& on,
-                         rpc::ControlThread& control, ClientCommands commands) {
+                         loop::ControlThread& control, ClientCommands commands) {
   const InterfaceInfo& contract = connection.contract;
   const std::shared_ptr<rt::Doorbell> bell = on.thread.doorbell();
   auto channel =

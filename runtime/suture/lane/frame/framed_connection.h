@@ -23,10 +23,10 @@ struct FramedOn {
 
 /// The control thread. Makes the client's end.
 OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
-                     rpc::ControlThread& control);
+                     loop::ControlThread& control);
 
 /// The control thread. Makes the provider's end.
 AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& on,
-                         rpc::ControlThread& control, ClientCommands commands = {});
+                         loop::ControlThread& control, ClientCommands commands = {});
 
 }  // namespace suture::frame

@@ -20,8 +20,8 @@ class Link {
  public:
   /// `epoch` is in every frame, and the same at the other end. `share` counts what values take
   /// beyond their contracts; null: the peer was called.
-  Link(rpc::ByteStream bytes, std::uint32_t epoch,
-       std::unique_ptr<rpc::PeerBudget::Share> share = nullptr)
+  Link(net::ByteStream bytes, std::uint32_t epoch,
+       std::unique_ptr<framing::PeerBudget::Share> share = nullptr)
       : socket_(std::move(bytes), epoch), surplus_(std::move(share)) {}
   ~Link() { end(); }
   Link(const Link&) = delete;

@@ -13,7 +13,7 @@ namespace suture::frame {
 /// process has refused its frames.
 class ProviderPort final : public StatusPort {
  public:
-  ProviderPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel,
+  ProviderPort(loop::ControlThread& control, std::shared_ptr<Channel> channel,
                std::shared_ptr<Connection> connection)
       : StatusPort(control, std::move(channel)), connection_(std::move(connection)) {}
 

@@ -22,7 +22,7 @@ bool isLarge(const InterfaceInfo& contract) {
 
 class CallsAttempt final : public LaneAttempt {
  public:
-  CallsAttempt(std::shared_ptr<CallsLink> link, ControlThread& control)
+  CallsAttempt(std::shared_ptr<CallsLink> link, loop::ControlThread& control)
       : link_(std::move(link)), control_(control) {}
 
   void request(capnp::AnyPointer::Builder out) override {
@@ -42,7 +42,7 @@ class CallsAttempt final : public LaneAttempt {
 
  private:
   const std::shared_ptr<CallsLink> link_;
-  ControlThread& control_;
+  loop::ControlThread& control_;
 };
 
 }  // namespace

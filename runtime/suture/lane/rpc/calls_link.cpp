@@ -5,10 +5,10 @@
 
 namespace suture::rpc {
 
-CallsLink::CallsLink(ControlThread& control, LaneSocket socket)
+CallsLink::CallsLink(loop::ControlThread& control, LaneSocket socket)
     : number_(socket.number),
       socket_(socket.bytes.socket()),
-      link_(kj::heap<MessageStream>(control.port(), kj::mv(socket.bytes)),
+      link_(kj::heap<framing::MessageStream>(control.port(), kj::mv(socket.bytes)),
             capnp::rpc::twoparty::Side::CLIENT),
       peer_(link_.bootstrap<wire::Calls>()),
       ending_(link_.onDisconnect()
@@ -26,6 +26,6 @@ capnp::Capability::Client CallsLink::contract(std::uint32_t connection,
   return request.send().getContract();
 }
 
-void CallsLink::bear(Duration silence) const { breakWhenUnanswered(socket_, silence); }
+void CallsLink::bear(Duration silence) const { net::breakWhenUnanswered(socket_, silence); }
 
 }  // namespace suture::rpc

@@ -26,7 +26,7 @@ class CallsServer::Bootstrap final : public wire::Calls::Server {
     if (found == contracts_->end()) {
       const char* const why = "no such connection has been accepted on this socket";
       session_.cutOff(why);
-      return failure(Type::FAILED, why);
+      return loop::failure(Type::FAILED, why);
     }
     kj::Own<ServantPort> port = kj::mv(found->second.port);
     contracts_->erase(found);
@@ -40,16 +40,16 @@ class CallsServer::Bootstrap final : public wire::Calls::Server {
   const std::shared_ptr<Contracts> contracts_;
 };
 
-std::shared_ptr<Channel> callsChannel(ControlThread& control,
+std::shared_ptr<Channel> callsChannel(loop::ControlThread& control,
                                       const IncomingConnection& connection) {
   return std::make_shared<Channel>(connection.provided.info(), connection.terms, "rpc",
                                    providersEnds(connection, control.sharedDoorbell()),
                                    connection.provided.state(), connection.events);
 }
 
-kj::Own<ServantPort> serveCalls(ControlThread& control, const IncomingConnection& connection,
+kj::Own<ServantPort> serveCalls(loop::ControlThread& control, const IncomingConnection& connection,
                                 std::shared_ptr<Channel> channel,
-                                std::shared_ptr<const LinkCounters> counters) {
+                                std::shared_ptr<const framing::LinkCounters> counters) {
   auto port = kj::refcounted<ServantPort>(control, std::move(channel), std::move(counters));
   if (connection.readOnly) port->setReadOnly();
   return port;
@@ -59,7 +59,7 @@ kj::Promise<AcceptedEnd> CallsServer::accept(IncomingConnection connection,
                                              capnp::AnyPointer::Reader brings,
                                              capnp::AnyPointer::Builder answer) {
   const auto found = sockets_.find(brings.getAs<wire::CallsRequest>().getSocket());
-  if (found == sockets_.end()) return failure(Type::FAILED, "the session's calls have ended");
+  if (found == sockets_.end()) return loop::failure(Type::FAILED, "the session's calls have ended");
   // A client that gave up waiting for the answer never asks for the contract.
   std::erase_if(*found->second.contracts, [](const auto& one) {
     return one.second.channel->status == ChannelStatus::Closed || !one.second.port->isShared();
@@ -75,12 +75,13 @@ kj::Promise<AcceptedEnd> CallsServer::accept(IncomingConnection connection,
 void CallsServer::opened(LaneSocket socket) {
   const std::uint32_t number = socket.number;
   auto contracts = std::make_shared<Contracts>();
-  StrangerGuard guard{.known = nullptr, .share = std::move(socket.share)};
-  auto stream =
-      kj::heap<MessageStream>(session_.control().port(), kj::mv(socket.bytes), StreamLimits{},
-                              std::span<const std::byte>(), std::move(guard));
-  auto link = kj::heap<Link>(kj::mv(stream), capnp::rpc::twoparty::Side::SERVER,
-                             wire::Calls::Client(kj::heap<Bootstrap>(session_, contracts)));
+  framing::StrangerGuard guard{.known = nullptr, .share = std::move(socket.share)};
+  auto stream = kj::heap<framing::MessageStream>(session_.control().port(), kj::mv(socket.bytes),
+                                                 framing::StreamLimits{},
+                                                 std::span<const std::byte>(), std::move(guard));
+  auto link =
+      kj::heap<framing::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::SERVER,
+                              wire::Calls::Client(kj::heap<Bootstrap>(session_, contracts)));
   sockets_.emplace(number, Socket{std::move(contracts), link.get()});
   auto ended = link->onDisconnect().then([this, number, &one = *link] {
     if (!one.refusal().empty()) session_.cutOff(one.refusal());

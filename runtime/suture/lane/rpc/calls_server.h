@@ -12,12 +12,13 @@
 namespace suture::rpc {
 
 /// Returns the provider's channel of a connection by calls.
-std::shared_ptr<Channel> callsChannel(ControlThread& control, const IncomingConnection& connection);
+std::shared_ptr<Channel> callsChannel(loop::ControlThread& control,
+                                      const IncomingConnection& connection);
 
 /// Serves it; the calls that are counted come by the link that has `counters`.
-kj::Own<ServantPort> serveCalls(ControlThread& control, const IncomingConnection& connection,
+kj::Own<ServantPort> serveCalls(loop::ControlThread& control, const IncomingConnection& connection,
                                 std::shared_ptr<Channel> channel,
-                                std::shared_ptr<const LinkCounters> counters);
+                                std::shared_ptr<const framing::LinkCounters> counters);
 
 class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
  public:
@@ -40,7 +41,7 @@ class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
   class Bootstrap;
   struct Socket {
     std::shared_ptr<Contracts> contracts;
-    Link* link;
+    framing::Link* link;
   };
 
   void taskFailed(kj::Exception&&) override {}

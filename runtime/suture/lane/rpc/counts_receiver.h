@@ -2,8 +2,8 @@
 // This gets the outcomes of a client's commands.
 
 #include <suture/calls.capnp.h>
+#include <suture/codec/tallies.h>
 #include <suture/lane/rpc/proxy_port.h>
-#include <suture/wire/tallies.h>
 
 namespace suture::rpc {
 
@@ -14,7 +14,7 @@ class CountsReceiver final : public wire::CommandCounts::Server {
 
  protected:
   kj::Promise<void> tell(TellContext context) override {
-    port_->tally(fromWire(context.getParams().getTally()));
+    port_->tally(codec::fromWire(context.getParams().getTally()));
     return kj::READY_NOW;
   }
 

@@ -1,17 +1,17 @@
 #include <suture/base/slots/shared_slot.h>
 #include <suture/base/words.h>
+#include <suture/codec/codec.h>
 #include <suture/component/channel/credit.h>
 #include <suture/framing/remote_error.h>
 #include <suture/lane/carrier/arrival_stamp.h>
 #include <suture/lane/rpc/proxy_port.h>
 #include <suture/lane/rpc/receiver.h>
 #include <suture/loop/failure.h>
-#include <suture/wire/codec.h>
 
 namespace suture::rpc {
 
-ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
-                     std::shared_ptr<const LinkCounters> counters)
+ProxyPort::ProxyPort(loop::ControlThread& control, std::shared_ptr<Channel> channel,
+                     std::shared_ptr<const framing::LinkCounters> counters)
     : ClientEnd(std::move(channel)),
       control_(control),
       counters_(std::move(counters)),
@@ -51,7 +51,7 @@ void ProxyPort::tally(const Tally& tally) {
 // A row of another process is checked where the client reads it.
 void ProxyPort::publish(capnp::AnyPointer::Reader in) {
   if (isClosed()) return;
-  const RowCodec& row = info().codec().row;
+  const codec::RowCodec& row = info().codec().row;
   const rt::RowColumns columns = row.decode(in, info().wireColumns, shift(), *channel_->state);
   carrier_.row(arrivalStamp(*channel_, row.stamp(in)), columns);
   client_.arrived();
@@ -64,12 +64,12 @@ kj::Promise<void> ProxyPort::event(std::uint16_t event, std::uint32_t subscripti
   auto* const slot = reinterpret_cast<std::byte*>(payload_.data());
   if (known.sharedPayload) putSharedSlot(slot, nullptr);
   KJ_DEFER(if (known.sharedPayload) releaseSharedSlot(slot));
-  const EventCodec& codec = info().codec().events[event];
+  const codec::EventCodec& codec = info().codec().events[event];
   const Errc error = codec.payload.decode(in, slot, shift());
-  if (error != Errc{}) return remoteError(error);
+  if (error != Errc{}) return framing::remoteError(error);
   const Time stamp = arrivalStamp(*channel_, codec.stamp.of(in));
   if (!carrier_.event(event, subscription, stamp, slot)) {
-    return remoteError(Errc::Invalid, channel_->lastInvalid.read());
+    return framing::remoteError(Errc::Invalid, channel_->lastInvalid.read());
   }
   client_.arrived();
   return acknowledge();
@@ -90,7 +90,7 @@ void ProxyPort::releaseAcknowledgement() {
 void ProxyPort::answer(std::uint16_t command, std::uint32_t call,
                        capnp::AnyPointer::Reader results) {
   if (isClosed()) return;
-  const CommandCodec& codec = info().codec().commands[command];
+  const codec::CommandCodec& codec = info().codec().commands[command];
   const Time stamp = arrivalStamp(*channel_, codec.stamp.of(results));
   carrier_.reply(call, stamp,
                  [&](std::byte* slot) { return codec.result.decode(results, slot, shift()); });
@@ -100,8 +100,8 @@ void ProxyPort::answer(std::uint16_t command, std::uint32_t call,
 // The provider counts what it rejects, but it has never heard of a command that was too large.
 void ProxyPort::rejected(std::uint16_t command, std::uint32_t call,
                          const kj::Exception& exception) {
-  const Errc error = errcOf(exception);
-  if (error == Errc::TooLarge && !isRemote(exception)) carrier_.countRefused();
+  const Errc error = framing::errcOf(exception);
+  if (error == Errc::TooLarge && !loop::isRemote(exception)) carrier_.countRefused();
   returned(command, call, error);
 }
 
@@ -148,7 +148,7 @@ void ProxyPort::send(const rt::CommandRecord& record) {
   if (!usesCredit(info().commands[command], call)) ++latestInFlight_;
   releaseAcknowledgement();
   KJ_IF_MAYBE (provider, provider_) {
-    const CommandCodec& codec = info().codec().commands[command];
+    const codec::CommandCodec& codec = info().codec().commands[command];
     auto request = provider->typelessRequest(codec.interface, codec.method, nullptr);
     codec.arguments.encode(record.arguments(), request);
     wire::Sent::Builder sent = codec.sent.in(request);

@@ -23,7 +23,7 @@ namespace suture::rpc {
 /// events. Sends each command of a client as a call, whose return gives its credit back.
 class ProxyPort final : public ClientEnd,
                         private ClientCarrier::Wire,
-                        private Pump,
+                        private loop::Pump,
                         private kj::TaskSet::ErrorHandler {
  public:
   /// Once this many newest-wins commands are under way, the next wait in their cells, where newer
@@ -32,8 +32,8 @@ class ProxyPort final : public ClientEnd,
 
   /// `channel`'s provider doorbell is the control thread's; its state table is a mirror that this
   /// writes.
-  ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
-            std::shared_ptr<const LinkCounters> counters);
+  ProxyPort(loop::ControlThread& control, std::shared_ptr<Channel> channel,
+            std::shared_ptr<const framing::LinkCounters> counters);
   ~ProxyPort() noexcept(false);
 
   /// Subscribes and sends what waits. `provider` must be of the contract's interface. `link` is
@@ -68,8 +68,8 @@ class ProxyPort final : public ClientEnd,
   void returned(std::uint16_t command, std::uint32_t call, Errc error);
   void taskFailed(kj::Exception&& exception) override;
 
-  ControlThread& control_;
-  const std::shared_ptr<const LinkCounters> counters_;
+  loop::ControlThread& control_;
+  const std::shared_ptr<const framing::LinkCounters> counters_;
   std::shared_ptr<const CallsLink> link_;  // null: the provider is here, or the connection is over
   kj::Maybe<capnp::Capability::Client> provider_;
   unsigned latestInFlight_ = 0;

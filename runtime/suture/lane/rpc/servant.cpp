@@ -1,5 +1,5 @@
+#include <suture/codec/codec.h>
 #include <suture/lane/rpc/servant.h>
-#include <suture/wire/codec.h>
 
 #include <algorithm>
 
@@ -12,9 +12,10 @@ capnp::Capability::Server::DispatchCallResult Servant::dispatchCall(std::uint64_
   if (contract == nullptr) return internalUnimplemented(port_->info().name, interface);
   if (method == 0) return subscribe(*contract, call), DispatchCallResult{kj::READY_NOW, false};
   const auto commands = port_->info().codec().commands;
-  const auto found = std::find_if(commands.begin(), commands.end(), [&](const CommandCodec& one) {
-    return one.interface == interface && one.method == method;
-  });
+  const auto found =
+      std::find_if(commands.begin(), commands.end(), [&](const codec::CommandCodec& one) {
+        return one.interface == interface && one.method == method;
+      });
   if (found == commands.end()) return internalUnimplemented(contract->name, interface, method);
   const auto number = static_cast<std::uint16_t>(found - commands.begin());
   return {port_->command(number, call), false};

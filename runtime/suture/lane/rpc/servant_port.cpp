@@ -1,10 +1,10 @@
+#include <suture/codec/codec.h>
+#include <suture/codec/tallies.h>
 #include <suture/component/channel/call_limit.h>
 #include <suture/component/channel/credit.h>
 #include <suture/lane/carrier/arrival_stamp.h>
 #include <suture/lane/rpc/servant_port.h>
 #include <suture/loop/deadline.h>
-#include <suture/wire/codec.h>
-#include <suture/wire/tallies.h>
 
 #include <algorithm>
 
@@ -17,8 +17,8 @@ constexpr Duration kTallyPause = std::chrono::milliseconds(5);
 
 }  // namespace
 
-ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channel,
-                         std::shared_ptr<const LinkCounters> counters)
+ServantPort::ServantPort(loop::ControlThread& control, std::shared_ptr<Channel> channel,
+                         std::shared_ptr<const framing::LinkCounters> counters)
     : ProviderEnd(std::move(channel)),
       control_(control),
       counters_(std::move(counters)),
@@ -43,7 +43,7 @@ void ServantPort::ending() {
 }
 
 kj::Promise<void> ServantPort::command(std::uint16_t command, AnyCall call) {
-  const CommandCodec& codec = channel_->info.codec().commands[command];
+  const codec::CommandCodec& codec = channel_->info.codec().commands[command];
   const auto parameters = call.getParams();
   const CommandInfo& info = channel_->info.commands[command];
   if (info.resultSize > 0 || codec.sent.of(parameters).getAnswer()) return await(command, call);
@@ -69,7 +69,7 @@ kj::Promise<void> ServantPort::await(std::uint16_t command, AnyCall call) {
 
 ServantPort::Refusal ServantPort::post(std::uint16_t command, capnp::AnyPointer::Reader in,
                                        std::uint32_t call) {
-  const CommandCodec& codec = channel_->info.codec().commands[command];
+  const codec::CommandCodec& codec = channel_->info.codec().commands[command];
   const Time sent = arrivalStamp(*channel_, codec.sent.of(in).getStamp());
   const Refusal refusal = carrier_.post(command, sent, call, [&](std::byte* arguments) {
     return codec.arguments.decode(in, arguments, channel_->clockShift());
@@ -101,7 +101,7 @@ void ServantPort::subscribe(Subscriber subscriber, Interest interest) {
 kj::Promise<void> ServantPort::turnedAway(const Refusal& refusal) {
   carrier_.countRefused();
   carrier_.giveTally();
-  return remoteError(refusal.error, refusal.invalid);
+  return framing::remoteError(refusal.error, refusal.invalid);
 }
 
 kj::Promise<void> ServantPort::whenTaken(std::uint16_t command) {
@@ -154,7 +154,7 @@ void ServantPort::send(const ReplyRecord& reply) {
 }
 
 void ServantPort::answer(PendingCall& pending, const ReplyRecord& reply) {
-  const CommandCodec& codec = channel_->info.codec().commands[pending.command];
+  const codec::CommandCodec& codec = channel_->info.codec().commands[pending.command];
   KJ_IF_MAYBE (call, pending.call) {
     auto out = call->getResults();
     codec.result.encode(reply.result(), out);
@@ -166,10 +166,10 @@ void ServantPort::answer(PendingCall& pending, const ReplyRecord& reply) {
 // The provider noted what is invalid before it answered. If it answered two calls of one command
 // with Errc::Invalid, both get what the later one had.
 kj::Exception ServantPort::failureOf(const PendingCall& call, Errc error) const {
-  if (error != Errc::Invalid) return remoteError(error);
+  if (error != Errc::Invalid) return framing::remoteError(error);
   const FieldPath last = channel_->lastInvalid.read();
   const bool isOfThis = last.beginsWith(channel_->info.commands[call.command].name);
-  return remoteError(error, isOfThis ? last : FieldPath());
+  return framing::remoteError(error, isOfThis ? last : FieldPath());
 }
 
 void ServantPort::sendCredits(std::uint16_t command, std::uint32_t count) {
@@ -184,11 +184,11 @@ void ServantPort::send(const Tally& tally) {
   KJ_IF_MAYBE (counts, counts_) {
     tallyInFlight_ = true;
     auto request = counts->tellRequest();
-    toWire(tally, request.initTally());
+    codec::toWire(tally, request.initTally());
     sending_.add(request.send()
                      .ignoreResult()
                      .catch_([](kj::Exception&&) {})
-                     .then([this] { return control_.timer().afterDelay(toKj(kTallyPause)); })
+                     .then([this] { return control_.timer().afterDelay(loop::toKj(kTallyPause)); })
                      .then([this] {
                        tallyInFlight_ = false;
                        carrier_.giveTally();
@@ -244,7 +244,7 @@ void ServantPort::sendRow(Subscriber& subscriber, const rt::StateTable::Row& row
 }
 
 void ServantPort::tellTooLarge(rt::StateTable::Row row, const kj::Exception& failure) {
-  if (errcOf(failure) != Errc::TooLarge) return;
+  if (framing::errcOf(failure) != Errc::TooLarge) return;
   row.tooLarge |= std::exchange(row.valid, 0);
   KJ_IF_MAYBE (subscriber, subscriber_) sendRow(*subscriber, row);
 }
@@ -270,12 +270,12 @@ void ServantPort::changed(ChannelStatus status) {
 
 void ServantPort::failAll(Errc error) {
   for (PendingCall& call : calls_) {
-    if (call.done.get() != nullptr) call.done->reject(remoteError(error));
+    if (call.done.get() != nullptr) call.done->reject(framing::remoteError(error));
     call = PendingCall{};
   }
   for (auto& calls : taken_) {
     for (auto& call : calls) {
-      if (call.get() != nullptr) call->reject(remoteError(error));
+      if (call.get() != nullptr) call->reject(framing::remoteError(error));
       call = Taken();  // it still uses its credit
     }
   }

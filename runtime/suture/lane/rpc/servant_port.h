@@ -30,15 +30,15 @@ using AnyCall = capnp::CallContext<capnp::AnyPointer, capnp::AnyPointer>;
 /// with at most kWindow of each unacknowledged, so that a slow client delays no other.
 class ServantPort final : public ProviderEnd,
                           private ProviderCarrier::Wire,
-                          private Pump,
+                          private loop::Pump,
                           private kj::TaskSet::ErrorHandler {
  public:
   static constexpr unsigned kWindow = 4;
 
   /// `channel` has been, or will be, attached to the provider; its client doorbell is the control
   /// thread's.
-  ServantPort(ControlThread& control, std::shared_ptr<Channel> channel,
-              std::shared_ptr<const LinkCounters> counters);
+  ServantPort(loop::ControlThread& control, std::shared_ptr<Channel> channel,
+              std::shared_ptr<const framing::LinkCounters> counters);
   ~ServantPort() noexcept(false);
 
   /// Accepts only reads from now on: a command is refused (Errc::NotPermitted).
@@ -93,8 +93,8 @@ class ServantPort final : public ProviderEnd,
   void failAll(Errc error);
   void taskFailed(kj::Exception&& exception) override;
 
-  ControlThread& control_;
-  const std::shared_ptr<const LinkCounters> counters_;
+  loop::ControlThread& control_;
+  const std::shared_ptr<const framing::LinkCounters> counters_;
 
   std::vector<std::deque<Taken>> taken_;  // by command: calls that use a credit, oldest first;
                                           // null: one that does not wait for it

@@ -1,12 +1,12 @@
+#include <suture/codec/codec.h>
 #include <suture/lane/rpc/subscriber.h>
-#include <suture/wire/codec.h>
 
 namespace suture::rpc {
 
 kj::Promise<void> Subscriber::event(const rt::EventRecord& record) {
-  const Codec& codec = contract_.codec();
+  const codec::Codec& codec = contract_.codec();
   if (record.event >= codec.events.size()) return kj::READY_NOW;
-  const EventCodec& known = codec.events[record.event];
+  const codec::EventCodec& known = codec.events[record.event];
   auto request = client_.typelessRequest(codec.subscriber, known.method, nullptr);
   known.payload.encode(record.payload(), request);
   known.stamp.set(request, toNanoseconds(record.stamp));
@@ -15,7 +15,7 @@ kj::Promise<void> Subscriber::event(const rt::EventRecord& record) {
 
 kj::Promise<void> Subscriber::row(const rt::StateTable::Row& row,
                                   std::span<const std::byte* const> slots) {
-  const Codec& codec = contract_.codec();
+  const codec::Codec& codec = contract_.codec();
   auto request = client_.typelessRequest(codec.subscriber, 0, nullptr);
   codec.row.encode(row, slots, contract_.wireColumns, request);
   return request.send().ignoreResult();

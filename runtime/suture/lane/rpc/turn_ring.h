@@ -8,11 +8,11 @@ namespace suture::rpc {
 
 /// Belongs to the control thread. Rings for the first of what one turn of the event loop brings, so
 /// that the first waits for nothing behind it, then for every kTogether, and after the last.
-class TurnRing final : private EventPort::Output {
+class TurnRing final : private loop::EventPort::Output {
  public:
   static constexpr unsigned kTogether = 64;
 
-  TurnRing(ControlThread& control, kj::Function<void()> ring)
+  TurnRing(loop::ControlThread& control, kj::Function<void()> ring)
       : control_(control), ring_(kj::mv(ring)) {}
   ~TurnRing() { control_.port().forget(*this); }
   TurnRing(const TurnRing&) = delete;
@@ -30,7 +30,7 @@ class TurnRing final : private EventPort::Output {
     ring_();
   }
 
-  ControlThread& control_;
+  loop::ControlThread& control_;
   kj::Function<void()> ring_;
   unsigned come_ = 0;
 };

@@ -1,10 +1,10 @@
 #include <suture/base/errors.h>
+#include <suture/codec/text.h>
 #include <suture/lane/shm/shared_channel.h>
 #include <suture/lane/shm/shared_lane.h>
 #include <suture/lane/shm/shared_memory.h>
 #include <suture/lane/status_port.h>
 #include <suture/loop/failure.h>
-#include <suture/wire/text.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <utility>
@@ -26,7 +26,7 @@ class SharedAttempt final : public LaneAttempt {
 
   void request(capnp::AnyPointer::Builder out) override {
     auto request = out.initAs<wire::SharedRequest>();
-    request.setLayout(textOf(memoryLayout(contract_)));
+    request.setLayout(codec::textOf(memoryLayout(contract_)));
     request.setBell(handOut(client_->share()));
   }
 
@@ -35,7 +35,7 @@ class SharedAttempt final : public LaneAttempt {
     return receive(answer.getAs<wire::SharedChannel>(), contract_)
         .then([connection = std::move(connection)](const SharedParts& parts) mutable -> OpenedEnd {
           auto channel = takeShared(std::move(connection), parts);
-          return {.end = kj::refcounted<rpc::ClientEnd>(channel), .channel = channel};
+          return {.end = kj::refcounted<ClientEnd>(channel), .channel = channel};
         });
   }
 
@@ -70,8 +70,8 @@ class SharedServer final : public LaneServer {
   kj::Promise<AcceptedEnd> accept(IncomingConnection connection, capnp::AnyPointer::Reader brings,
                                   capnp::AnyPointer::Builder answer) override {
     const auto request = brings.getAs<wire::SharedRequest>();
-    const std::string why = whyNot(connection, stringOf(request.getLayout()));
-    if (!why.empty()) return rpc::failure(Type::FAILED, why);
+    const std::string why = whyNot(connection, codec::stringOf(request.getLayout()));
+    if (!why.empty()) return loop::failure(Type::FAILED, why);
     return receive(request.getBell(), sizeof(std::uint64_t), MemoryBlock::Others::Write)
         .then([this, connection, answer](std::shared_ptr<MemoryBlock> bell) mutable {
           SharedOffer offer =
@@ -82,7 +82,7 @@ class SharedServer final : public LaneServer {
         })
         .catch_([](kj::Exception&& e) -> kj::Promise<AcceptedEnd> {
           if (e.getType() != Type::FAILED) return kj::mv(e);
-          return rpc::failure(Type::OVERLOADED, rpc::describe(e));
+          return loop::failure(Type::OVERLOADED, loop::describe(e));
         });
   }
 

@@ -2,7 +2,7 @@
 #include <suture/lane/shm/shared_memory.h>
 #include <suture/loop/failure.h>
 
-namespace suture {
+namespace suture::shm {
 namespace {
 
 // Limits the state table of another process; it is mapped, not copied.
@@ -20,7 +20,7 @@ class MemoryServer final : public wire::SharedMemory::Server {
 };
 
 kj::Exception noMemory(const std::string& text) {
-  return rpc::failure(kj::Exception::Type::FAILED, text);
+  return loop::failure(kj::Exception::Type::FAILED, text);
 }
 
 kj::Promise<shm::SharedParts> receiveBlocks(wire::SharedChannel::Reader in,
@@ -87,4 +87,4 @@ kj::Promise<shm::SharedParts> receive(wire::SharedChannel::Reader in,
   return receiveBlocks(in, contract, std::move(parts));
 }
 
-}  // namespace suture
+}  // namespace suture::shm

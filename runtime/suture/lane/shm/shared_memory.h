@@ -9,7 +9,7 @@
 
 #include <memory>
 
-namespace suture {
+namespace suture::shm {
 
 /// Hands out the descriptor of `block`, and keeps it for as long as the capability exists.
 wire::SharedMemory::Client handOut(std::shared_ptr<MemoryBlock> block);
@@ -24,4 +24,4 @@ void toWire(const shm::SharedParts& parts, wire::SharedChannel::Builder out);
 kj::Promise<shm::SharedParts> receive(wire::SharedChannel::Reader in,
                                       const InterfaceInfo& contract);
 
-}  // namespace suture
+}  // namespace suture::shm

@@ -1,8 +1,8 @@
+#include <suture/codec/stamps.h>
+#include <suture/codec/text.h>
 #include <suture/loop/deadline.h>
 #include <suture/session/client/heartbeat.h>
 #include <suture/session/task_activity.h>
-#include <suture/wire/stamps.h>
-#include <suture/wire/text.h>
 
 #include <algorithm>
 #include <utility>
@@ -149,7 +149,7 @@ kj::Promise<void> Heartbeat::look() {
   for (Watch* watch : watches_) {
     if (!watch->lost_) pause = std::min(pause, watch->silentAt() - begun);
   }
-  return timer_.afterDelay(rpc::toKj(std::max(pause, Duration{0}))).then([this, begun] {
+  return timer_.afterDelay(loop::toKj(std::max(pause, Duration{0}))).then([this, begun] {
     const BootTime present = BootClock::now();
     for (Watch* watch : watches_) watch->look(present, begun);
     return look();
@@ -162,7 +162,7 @@ void Heartbeat::ask() {
   request.setHeard(heard_);
   if (std::exchange(renamed_, false)) {
     auto names = request.initComponents(static_cast<unsigned>(named_.size()));
-    for (unsigned i = 0; i < named_.size(); ++i) names.set(i, textOf(named_[i]));
+    for (unsigned i = 0; i < named_.size(); ++i) names.set(i, codec::textOf(named_[i]));
   }
   if (heard_ != 0) told_ = BootClock::now();
   // Ignore a failure: other code learns of a broken link.
@@ -185,7 +185,7 @@ void Heartbeat::heard(Time asked, wire::Peer::PingResults::Reader told) {
   }
   const auto tasks = told.getTasks();
   if (tasks.size() != named_.size()) return;
-  const Time then = fromNanoseconds(rpc::bounded(told.getSent()));
+  const Time then = fromNanoseconds(codec::bounded(told.getSent()));
   for (Watch* watch : watches_) watch->heard(tasks[static_cast<unsigned>(watch->place_)], then);
 }
 

@@ -1,7 +1,7 @@
 #include <suture/base/plain.h>
+#include <suture/codec/tallies.h>
+#include <suture/codec/text.h>
 #include <suture/session/client/notices_receiver.h>
-#include <suture/wire/tallies.h>
-#include <suture/wire/text.h>
 
 #include <utility>
 
@@ -28,7 +28,7 @@ void ProviderNews::giveUp(std::string why) {
   KJ_IF_MAYBE (end, end_) (*end)->tellBroken(givenUp_);
 }
 
-void ProviderNews::passOnTo(kj::Own<rpc::ClientEnd> end) {
+void ProviderNews::passOnTo(kj::Own<ClientEnd> end) {
   end->tell(status_);
   if (!givenUp_.empty()) end->tellBroken(givenUp_);
   if (closed_) end->close(ChannelStatus::Lost);
@@ -51,7 +51,7 @@ kj::Promise<void> NoticesReceiver::resumed(ResumedContext) {
 }
 
 kj::Promise<void> NoticesReceiver::earlier(EarlierContext context) {
-  ledger_->tell(fromWire(context.getParams().getEarlier()));
+  ledger_->tell(codec::fromWire(context.getParams().getEarlier()));
   return kj::READY_NOW;
 }
 
@@ -62,7 +62,7 @@ kj::Promise<void> NoticesReceiver::lapsed(LapsedContext) {
 
 // The end of the socket may have been noticed already, which says nothing of the reason.
 kj::Promise<void> NoticesReceiver::refused(RefusedContext context) {
-  std::string why = "refused: " + plain(stringOf(context.getParams().getWhy()));
+  std::string why = "refused: " + plain(codec::stringOf(context.getParams().getWhy()));
   lost_(why);
   news_->giveUp(std::move(why));
   return kj::READY_NOW;

@@ -20,13 +20,13 @@ class ProviderNews final : public kj::Refcounted {
   /// Tells the client that the provider has given the connection up, and why.
   void giveUp(std::string why);
 
-  void passOnTo(kj::Own<rpc::ClientEnd> end);
+  void passOnTo(kj::Own<ClientEnd> end);
 
  private:
   ChannelStatus status_ = ChannelStatus::Connected;
   bool closed_ = false;
   std::string givenUp_;  // why; "": it is not
-  kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
+  kj::Maybe<kj::Own<ClientEnd>> end_;
 };
 
 /// The provider's process calls this.

@@ -18,14 +18,14 @@ constexpr Duration kClockTime = std::chrono::milliseconds(100);
 
 }  // namespace
 
-PeerSession::PeerSession(rpc::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
-                         ProcessRecord process, rpc::ByteStream bytes)
+PeerSession::PeerSession(loop::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
+                         ProcessRecord process, net::ByteStream bytes)
     : control_(control),
       manager_(manager),
       process_(std::move(process)),
       socket_(bytes.socket()),
       carriesDescriptors_(bytes.carriesDescriptors()),
-      link_(kj::heap<rpc::MessageStream>(control.port(), kj::mv(bytes)),
+      link_(kj::heap<framing::MessageStream>(control.port(), kj::mv(bytes)),
             capnp::rpc::twoparty::Side::CLIENT),
       peer_(link_.bootstrap<wire::Peer>()),
       heartbeat_(control.timer(), peer_),
@@ -43,15 +43,15 @@ PeerSession::~PeerSession() noexcept(false) = default;
 kj::Promise<void> PeerSession::greet(const SessionIdentity& self) {
   auto request = peer_.helloRequest();
   request.setVersion(wire::PROTOCOL_VERSION);
-  request.setProcess(textOf(self.process));
-  request.setBootId(textOf(bootId()));
+  request.setProcess(codec::textOf(self.process));
+  request.setBootId(codec::textOf(bootId()));
   request.setIncarnation(self.incarnation);
   const Time asked = now();
   return request.send().then([this, asked](auto&& results) -> kj::Promise<void> {
     if (results.isRefused()) return refused(results.getRefused());
     peersIncarnation_ = results.getIncarnation();
     heartbeat_.noteRoundTrip(now() - asked);
-    if (stringOf(results.getBootId()) == bootId()) {
+    if (codec::stringOf(results.getBootId()) == bootId()) {
       clock_ = ClockOffset::none();
       return kj::READY_NOW;
     }
@@ -103,14 +103,14 @@ void PeerSession::tellClock() {
 void PeerSession::bear(Duration silence) {
   if (silence <= longest_) return;
   longest_ = silence;
-  rpc::breakWhenUnanswered(socket_, silence);
+  net::breakWhenUnanswered(socket_, silence);
   for (auto& lane : lanes_) lane->bear(silence);
 }
 
 template <class T>
 kj::Promise<T> PeerSession::inTime(kj::Promise<T> step) {
-  return rpc::within(control_.timer(), kDialLimit, kj::mv(step),
-                     "the provider gives no second connection in time");
+  return loop::within(control_.timer(), kDialLimit, kj::mv(step),
+                      "the provider gives no second connection in time");
 }
 
 kj::Promise<LaneSocket> PeerSession::openSocket(const char* lane) {
@@ -118,17 +118,17 @@ kj::Promise<LaneSocket> PeerSession::openSocket(const char* lane) {
   request.setLane(lane);
   using Results = capnp::Response<wire::Peer::SocketResults>;
   return inTime<Results>(request.send()).then([this](Results&& results) -> kj::Promise<LaneSocket> {
-    rpc::Token token;
+    framing::Token token;
     const auto told = results.getToken();
     if (told.size() != token.size()) {
-      return rpc::failure(kj::Exception::Type::FAILED, "the token has an impossible size");
+      return loop::failure(kj::Exception::Type::FAILED, "the token has an impossible size");
     }
     std::memcpy(token.data(), told.begin(), token.size());
     return manager_.reach(process_, kDialLimit)
-        .then([this, token](rpc::ByteStream bytes) {
-          return inTime(rpc::exchangeToken(control_.port(), kj::mv(bytes), token));
+        .then([this, token](net::ByteStream bytes) {
+          return inTime(framing::exchangeToken(control_.port(), kj::mv(bytes), token));
         })
-        .then([number = results.getNumber()](rpc::ByteStream bytes) {
+        .then([number = results.getNumber()](net::ByteStream bytes) {
           return LaneSocket{number, kj::mv(bytes)};
         });
   });

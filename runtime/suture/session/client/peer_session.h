@@ -31,8 +31,8 @@ struct SessionIdentity {
 class PeerSession final : private ClientSession {
  public:
   /// `bytes` is a connection to `process`, on which nothing has been sent.
-  PeerSession(rpc::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
-              ProcessRecord process, rpc::ByteStream bytes);
+  PeerSession(loop::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
+              ProcessRecord process, net::ByteStream bytes);
   ~PeerSession() noexcept(false);
   KJ_DISALLOW_COPY(PeerSession);
 
@@ -63,7 +63,7 @@ class PeerSession final : private ClientSession {
   bool closed() const { return closed_; }
 
  private:
-  rpc::ControlThread& control() override { return control_; }
+  loop::ControlThread& control() override { return control_; }
   bool carriesDescriptors() const override { return carriesDescriptors_; }
   bool hasOneClock() const override { return clock_.isOne(); }
   kj::Promise<LaneSocket> openSocket(const char* lane) override;
@@ -75,12 +75,12 @@ class PeerSession final : private ClientSession {
   void noteClock();
   void tellClock();
 
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
   ManagerLink& manager_;
   const ProcessRecord process_;  // the peer's, as it was reached
   const int socket_;
   const bool carriesDescriptors_;
-  rpc::Link link_;
+  framing::Link link_;
   wire::Peer::Client peer_;
   std::uint64_t peersIncarnation_ = 0;
   ClockOffset clock_;  // the peer's

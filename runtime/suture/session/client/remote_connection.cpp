@@ -1,11 +1,11 @@
 #include <suture/base/plain.h>
+#include <suture/codec/tallies.h>
 #include <suture/lane/delay/delay_thread.h>
 #include <suture/lane/lane_refusals.h>
 #include <suture/loop/deadline.h>
 #include <suture/loop/failure.h>
 #include <suture/session/client/notices_receiver.h>
 #include <suture/session/client/remote_connection.h>
-#include <suture/wire/tallies.h>
 
 #include <algorithm>
 #include <utility>
@@ -43,7 +43,7 @@ std::string microseconds(Duration duration) {
 
 }  // namespace
 
-RemoteConnection::RemoteConnection(rpc::ControlThread& control, Sessions& sessions,
+RemoteConnection::RemoteConnection(loop::ControlThread& control, Sessions& sessions,
                                    const Lanes& lanes, RequiredBase& required, Endpoint from,
                                    Endpoint to, const ConnectOptions& options, Listener listener,
                                    DelayThread* delays, std::shared_ptr<ConnectionWatch> watch,
@@ -95,7 +95,7 @@ kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
 
 template <class T>
 kj::Promise<T> RemoteConnection::inTime(Duration limit, kj::Promise<T> answer) {
-  return rpc::within(control_.timer(), limit, kj::mv(answer), noAnswerOf(to_.process));
+  return loop::within(control_.timer(), limit, kj::mv(answer), noAnswerOf(to_.process));
 }
 
 // Does not connect to a provider that hangs, because the connection would be lost at once.
@@ -118,9 +118,9 @@ kj::Promise<void> RemoteConnection::introduce() {
 // A question that was lost with its link is never answered.
 kj::Exception RemoteConnection::whyNotIntroduced(const std::string& why) const {
   const std::string what = "connecting " + name() + ": ";
-  return session_->closed() ? rpc::disconnected(what + "the link was " + why + ". Try again.")
-                            : rpc::failure(Type::FAILED, what + "the provider is " + why +
-                                                             ". Look at what it is doing.");
+  return session_->closed() ? loop::disconnected(what + "the link was " + why + ". Try again.")
+                            : loop::failure(Type::FAILED, what + "the provider is " + why +
+                                                              ". Look at what it is doing.");
 }
 
 // Within the clocks' error a ttl means nothing: late commands would run, or timely ones be late.
@@ -128,10 +128,10 @@ kj::Promise<void> RemoteConnection::requireClocksThatCanTell() {
   const Duration error = session_->clock().error(now());
   for (const CommandInfo& one : required_.info().commands) {
     if (one.ttl == Duration{0} || one.ttl > error) continue;
-    return rpc::failure(Type::FAILED,
-                        "connecting " + name() + ": '" + one.name + "' has a ttl of " +
-                            microseconds(one.ttl) + ", and the two clocks can be compared to " +
-                            microseconds(error) + " only. Use a faster link, or a longer ttl.");
+    return loop::failure(Type::FAILED,
+                         "connecting " + name() + ": '" + one.name + "' has a ttl of " +
+                             microseconds(one.ttl) + ", and the two clocks can be compared to " +
+                             microseconds(error) + " only. Use a faster link, or a longer ttl.");
   }
   return kj::READY_NOW;
 }
@@ -167,11 +167,11 @@ kj::Promise<void> RemoteConnection::ask(std::size_t lane) {
 kj::Promise<void> RemoteConnection::askNext(std::size_t lane) {
   if (!options_.laneRequired && lane < lanes_.size()) return ask(lane);
   if (options_.laneRequired) {
-    return rpc::failure(Type::FAILED, laneRefused(name(), options_.lane, laneReason_).what());
+    return loop::failure(Type::FAILED, laneRefused(name(), options_.lane, laneReason_).what());
   }
-  return rpc::failure(Type::FAILED, "connecting " + name() +
-                                        ": no lane can carry it. The last says: " + laneReason_ +
-                                        ". Remove the reason, or add a lane that can.");
+  return loop::failure(Type::FAILED, "connecting " + name() +
+                                         ": no lane can carry it. The last says: " + laneReason_ +
+                                         ". Remove the reason, or add a lane that can.");
 }
 
 kj::Promise<kj::Maybe<std::string>> RemoteConnection::attempt(LaneClient& lane, const char* name) {
@@ -186,7 +186,7 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::attempt(LaneClient& lane, 
           },
           [this, name](kj::Exception&& failure) -> kj::Promise<Reason> {
             if (comesBack() && mayPass(failure)) return kj::mv(failure);
-            return Reason(failed(name, rpc::describe(failure)));
+            return Reason(failed(name, loop::describe(failure)));
           });
 }
 
@@ -201,11 +201,11 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::request(LaneAttempt& attem
 }
 
 void RemoteConnection::fillIn(wire::ConnectRequest::Builder request, const char* lane) {
-  request.setFromProcess(textOf(from_.process));
-  request.setFromComponent(textOf(from_.component));
-  request.setRequired(textOf(from_.interface));
-  request.setToComponent(textOf(to_.component));
-  request.setProvided(textOf(to_.interface));
+  request.setFromProcess(codec::textOf(from_.process));
+  request.setFromComponent(codec::textOf(from_.component));
+  request.setRequired(codec::textOf(from_.interface));
+  request.setToComponent(codec::textOf(to_.component));
+  request.setProvided(codec::textOf(to_.interface));
   request.setContract(required_.info().name);
   request.setHash(required_.info().hash);
   request.setDescription(required_.info().description);
@@ -234,7 +234,7 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::begin(LaneAttempt& attempt
   using Reason = kj::Maybe<std::string>;
   if (results.isRefused()) return refused(results.getRefused());
   if (results.isDeclined()) {
-    std::string why = stringOf(results.getDeclined());
+    std::string why = codec::stringOf(results.getDeclined());
     return Reason(results.getFailed() ? failed(lane, std::move(why)) : why);
   }
   const auto accepted = results.getAccepted();
@@ -253,7 +253,7 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::begin(LaneAttempt& attempt
           },
           [this, lane](kj::Exception&& failure) -> Reason {
             connection_ = nullptr;
-            return failed(lane, rpc::describe(failure));
+            return failed(lane, loop::describe(failure));
           });
 }
 
@@ -264,7 +264,7 @@ void RemoteConnection::use(OpenedEnd opened, wire::ConnectResults::Accepted::Rea
   if (delays_ != nullptr) {
     channel = delays_->interpose(required_, std::move(channel), options_.delay);
   }
-  ledger_->begin(channel, session_->peersIncarnation(), fromWire(accepted.getEarlier()));
+  ledger_->begin(channel, session_->peersIncarnation(), codec::fromWire(accepted.getEarlier()));
   listener_.made(channel);  // known before it is used
   required_.attach(std::move(channel));
 }
@@ -302,7 +302,7 @@ void RemoteConnection::drop() {
 // That the process is not there, or that the link broke, is what the loss has told already.
 void RemoteConnection::tellWhyNotBack(const kj::Exception& failure) {
   if (failure.getType() == Type::DISCONNECTED) return;
-  std::string why = plain(rpc::describe(failure));
+  std::string why = plain(loop::describe(failure));
   if (withoutNumbers(why) == withoutNumbers(whyNotBack_)) return;
   whyNotBack_ = why;
   listener_.notBack(name(), std::move(why));
@@ -310,7 +310,7 @@ void RemoteConnection::tellWhyNotBack(const kj::Exception& failure) {
 
 kj::Promise<void> RemoteConnection::comeBack(Time next, Duration pause, Duration limit) {
   return control_.timer()
-      .afterDelay(rpc::toKj(std::max(next - now(), Duration{0})))
+      .afterDelay(loop::toKj(std::max(next - now(), Duration{0})))
       .then([this, limit] { return connect(kComeBackPatience, limit); })
       .catch_([=, this](kj::Exception&& failure) {
         tellWhyNotBack(failure);

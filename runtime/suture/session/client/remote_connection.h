@@ -39,7 +39,7 @@ class RemoteConnection {
   };
 
   /// `from` and `to` include their processes. `ledger` has the sums of the connection's name.
-  RemoteConnection(rpc::ControlThread& control, Sessions& sessions, const Lanes& lanes,
+  RemoteConnection(loop::ControlThread& control, Sessions& sessions, const Lanes& lanes,
                    RequiredBase& required, Endpoint from, Endpoint to,
                    const ConnectOptions& options, Listener listener, DelayThread* delays,
                    std::shared_ptr<ConnectionWatch> watch, std::shared_ptr<Ledger> ledger);
@@ -88,7 +88,7 @@ class RemoteConnection {
   void tellWhyNotBack(const kj::Exception& failure);
   bool comesBack() const { return comingBack_ != nullptr; }
 
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
   Sessions& sessions_;
   const Lanes& lanes_;
   RequiredBase& required_;
@@ -109,7 +109,7 @@ class RemoteConnection {
   std::shared_ptr<PeerSession> session_;
   kj::Maybe<wire::Connection::Client> connection_;
   kj::Maybe<kj::Own<ProviderNews>> news_;
-  kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
+  kj::Maybe<kj::Own<ClientEnd>> end_;
   kj::Maybe<kj::Own<Heartbeat::Watch>> watching_;
   // These are null as long as nothing was lost, since a promise of KJ takes half a KiB. They are
   // last, so they are cancelled first.

@@ -34,10 +34,10 @@ kj::Promise<std::shared_ptr<PeerSession>> Sessions::dial(const std::string& proc
       .then(
           [this, process, limit](const ProcessRecord& record) -> kj::Promise<Opened> {
             const auto inTime = [this, process, limit](kj::Promise<void> answer) {
-              return rpc::within(control_.timer(), limit, kj::mv(answer), noAnswerOf(process));
+              return loop::within(control_.timer(), limit, kj::mv(answer), noAnswerOf(process));
             };
             return manager_.reach(record, std::min(limit, kDialLimit))
-                .then([this, record, inTime](rpc::ByteStream bytes) {
+                .then([this, record, inTime](net::ByteStream bytes) {
                   auto session = std::make_shared<PeerSession>(control_, manager_, lanes_, record,
                                                                kj::mv(bytes));
                   return inTime(session->greet(self_))
@@ -46,7 +46,7 @@ kj::Promise<std::shared_ptr<PeerSession>> Sessions::dial(const std::string& proc
                 });
           },
           [](kj::Exception&& notThere) -> kj::Promise<Opened> {
-            return rpc::disconnected(rpc::describe(notThere));  // it may come
+            return loop::disconnected(loop::describe(notThere));  // it may come
           });
 }
 

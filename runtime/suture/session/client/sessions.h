@@ -14,7 +14,7 @@ namespace suture {
 /// attempt may live on whose asker has given up.
 class Sessions {
  public:
-  Sessions(rpc::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
+  Sessions(loop::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
            SessionIdentity self)
       : control_(control), manager_(manager), lanes_(lanes), self_(std::move(self)) {}
 
@@ -36,7 +36,7 @@ class Sessions {
   kj::Promise<std::shared_ptr<PeerSession>> dial(const std::string& process, Duration patience,
                                                  Duration limit);
 
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
   ManagerLink& manager_;
   const Lanes& lanes_;
   const SessionIdentity self_;

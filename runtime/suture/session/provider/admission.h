@@ -19,7 +19,7 @@ namespace suture {
 class Admission {
  public:
   /// All of them outlive this.
-  Admission(const std::string& process, const Policy& policy, const rpc::PeerIdentity& who)
+  Admission(const std::string& process, const Policy& policy, const net::PeerIdentity& who)
       : process_(process), policy_(policy), who_(who) {}
 
   using Names = std::initializer_list<capnp::Text::Reader>;
@@ -39,7 +39,7 @@ class Admission {
  private:
   const std::string& process_;
   const Policy& policy_;
-  const rpc::PeerIdentity& who_;
+  const net::PeerIdentity& who_;
 };
 
 }  // namespace suture

@@ -5,7 +5,7 @@
 
 namespace suture {
 
-void ClientLeases::watch(rpc::ProviderEnd& end) {
+void ClientLeases::watch(ProviderEnd& end) {
   if (end.endOfLease() == BootTime::max()) return;
   ends_.push_back(kj::addRef(end));
   watching_ = look().eagerlyEvaluate(nullptr);
@@ -32,7 +32,7 @@ kj::Promise<void> ClientLeases::look() {
     next = std::min(next, end->endOfLease());
   }
   if (next == BootTime::max()) return kj::READY_NOW;
-  return control_.timer().afterDelay(rpc::toKj(next - present)).then([this] { return look(); });
+  return control_.timer().afterDelay(loop::toKj(next - present)).then([this] { return look(); });
 }
 
 }  // namespace suture

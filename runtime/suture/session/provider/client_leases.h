@@ -17,11 +17,11 @@ namespace suture {
 /// Ends the leases that have run out.
 class ClientLeases {
  public:
-  ClientLeases(rpc::ControlThread& control, std::shared_ptr<PeerState> client)
+  ClientLeases(loop::ControlThread& control, std::shared_ptr<PeerState> client)
       : control_(control), client_(std::move(client)) {}
 
   /// Watches the lease of `end`.
-  void watch(rpc::ProviderEnd& end);
+  void watch(ProviderEnd& end);
   /// Notes that the client has received the answer that says that it was sent at `sent`; 0 if the
   /// client has received none yet. Only the latest answer renews leases, from when it was sent.
   void hear(std::int64_t sent);
@@ -31,9 +31,9 @@ class ClientLeases {
  private:
   kj::Promise<void> look();
 
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
   const std::shared_ptr<PeerState> client_;
-  std::vector<kj::Own<rpc::ProviderEnd>> ends_;
+  std::vector<kj::Own<ProviderEnd>> ends_;
   std::int64_t answered_ = 0;                   // when the latest answer was sent, as it says
   BootTime answeredAt_{};                       // the same on the clock of the leases
   kj::Promise<void> watching_ = kj::READY_NOW;  // last: cancelled first

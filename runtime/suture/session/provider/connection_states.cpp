@@ -1,8 +1,8 @@
 #include <suture/base/time.h>
+#include <suture/codec/stamps.h>
+#include <suture/codec/text.h>
 #include <suture/component/channel/channel.h>
 #include <suture/session/provider/connection_states.h>
-#include <suture/wire/stamps.h>
-#include <suture/wire/text.h>
 
 #include <memory>
 #include <string_view>
@@ -29,10 +29,10 @@ std::vector<Connected> connectedIn(const Directory& directory) {
 void toWire(const Connected& one, wire::ConnectionState::Builder out) {
   const Channel& channel = *one.channel;
   const ConnectionWatch* const watch = channel.terms.watch.get();
-  out.setComponent(textOf(one.required->owner().name()));
-  out.setRequired(textOf(one.required->name()));
-  out.setProvided(textOf(std::string(channel.providerName())));
-  out.setLane(textOf(channel.lane));
+  out.setComponent(codec::textOf(one.required->owner().name()));
+  out.setRequired(codec::textOf(one.required->name()));
+  out.setProvided(codec::textOf(std::string(channel.providerName())));
+  out.setLane(codec::textOf(channel.lane));
   out.setStatus(toString(channel.status.load(std::memory_order_acquire)));
   out.setSince(toNanoseconds(channel.statusSince.load(std::memory_order_relaxed)));
   out.setAwaitsOperator(watch != nullptr && watch->awaitsOperator);

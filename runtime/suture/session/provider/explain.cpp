@@ -1,6 +1,6 @@
 #include <capnp/schema.h>
+#include <suture/codec/codec.h>
 #include <suture/session/provider/explain.h>
-#include <suture/wire/codec.h>
 
 #include <map>
 #include <vector>

@@ -25,7 +25,7 @@ void LatestConnections::end(const std::string& client) {
   if (const auto held = latest_.find(client); held != latest_.end()) held->second.end->end();
 }
 
-void LatestConnections::forget(const rpc::ProviderEnd& end) {
+void LatestConnections::forget(const ProviderEnd& end) {
   std::erase_if(latest_, [&](const auto& one) { return one.second.end == &end; });
 }
 

@@ -19,7 +19,7 @@ class LatestConnections {
     std::int64_t epoch;
     std::uint64_t incarnation;  // of the peer's process; 0: it does not say
     std::uint64_t greeting;     // which of all that this process has had began the session
-    rpc::ProviderEnd* end;
+    ProviderEnd* end;
   };
 
   std::uint64_t nextGreeting() { return ++greetings_; }
@@ -30,7 +30,7 @@ class LatestConnections {
   /// Ends the latest connection, ahead of a later one.
   void end(const std::string& client);
   void set(const std::string& client, const Latest& latest) { latest_[client] = latest; }
-  void forget(const rpc::ProviderEnd& end);
+  void forget(const ProviderEnd& end);
 
  private:
   std::map<std::string, Latest> latest_;  // by required interface, with its process

@@ -1,6 +1,6 @@
+#include <suture/codec/tallies.h>
+#include <suture/codec/text.h>
 #include <suture/session/provider/notices_sender.h>
-#include <suture/wire/tallies.h>
-#include <suture/wire/text.h>
 
 namespace suture {
 
@@ -17,13 +17,13 @@ void NoticesSender::told(ChannelStatus status) {
 
 void NoticesSender::tells(const Earlier& earlier) {
   auto request = client_.earlierRequest();
-  toWire(earlier, request.initEarlier());
+  codec::toWire(earlier, request.initEarlier());
   send(kj::mv(request));
 }
 
 void NoticesSender::refuses(const std::string& why) {
   auto request = client_.refusedRequest();
-  request.setWhy(textOf(why));
+  request.setWhy(codec::textOf(why));
   send(kj::mv(request));
 }
 

@@ -10,9 +10,9 @@
 namespace suture {
 
 /// Belongs to the control thread. It does not matter here if the client gets the news.
-class NoticesSender final : public rpc::ProviderEnd::Listener {
+class NoticesSender final : public ProviderEnd::Listener {
  public:
-  NoticesSender(rpc::ControlThread& control, wire::Notices::Client client)
+  NoticesSender(loop::ControlThread& control, wire::Notices::Client client)
       : control_(control), client_(kj::mv(client)) {}
 
   void told(ChannelStatus status) override;
@@ -25,7 +25,7 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
     control_.spawn(request.send().ignoreResult().catch_([](kj::Exception&&) {}));
   }
 
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
   wire::Notices::Client client_;
 };
 

@@ -13,8 +13,8 @@ constexpr std::size_t kMostSecondSockets = 1024;
 
 }  // namespace
 
-PeerHost::PeerHost(rpc::ControlThread& control, const Lanes& lanes, const Directory& directory,
-                   Network::ServerOf serverOf, Network::TaskOf taskOf, const rpc::Address& address,
+PeerHost::PeerHost(loop::ControlThread& control, const Lanes& lanes, const Directory& directory,
+                   Network::ServerOf serverOf, Network::TaskOf taskOf, const net::Address& address,
                    const Security& security, std::uint64_t incarnation)
     : control_(control),
       lanes_(lanes),
@@ -28,9 +28,9 @@ PeerHost::PeerHost(rpc::ControlThread& control, const Lanes& lanes, const Direct
       refusals_(directory.process()),
       server_(
           std::in_place, control.port(), address,
-          [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); },
-          refusals_, rpc::StreamLimits{}, kMostCallers, security.trust(),
-          [this](const rpc::Token& token, rpc::ByteStream bytes) {
+          [this](std::shared_ptr<framing::Caller> caller) { return offerTo(std::move(caller)); },
+          refusals_, framing::StreamLimits{}, kMostCallers, security.trust(),
+          [this](const framing::Token& token, net::ByteStream bytes) {
             arrived(token, kj::mv(bytes));
           }) {
   auto pair = kj::newPromiseAndFulfiller<void>();
@@ -38,18 +38,18 @@ PeerHost::PeerHost(rpc::ControlThread& control, const Lanes& lanes, const Direct
   whenPublished_ = pair.promise.fork();
 }
 
-capnp::Capability::Client PeerHost::offerTo(std::shared_ptr<rpc::Caller> caller) {
+capnp::Capability::Client PeerHost::offerTo(std::shared_ptr<framing::Caller> caller) {
   if (policy_.admits(caller->identity)) {
     return wire::Peer::Client(kj::heap<PeerServer>(*this, std::move(caller)));
   }
-  const rpc::PeerIdentity who = caller->identity;
-  return rpc::turnAway(refusals_, who,
-                       "talk to process '" + directory_.process() +
-                           "': its policy has no rule for " + who.text() +
-                           ". Add one, or use another process.");
+  const net::PeerIdentity who = caller->identity;
+  return framing::turnAway(refusals_, who,
+                           "talk to process '" + directory_.process() +
+                               "': its policy has no rule for " + who.text() +
+                               ". Add one, or use another process.");
 }
 
-void PeerHost::arrived(const rpc::Token& token, rpc::ByteStream bytes) {
+void PeerHost::arrived(const framing::Token& token, net::ByteStream bytes) {
   const std::string who = bytes.peer().text();
   if (sockets_.arrived(token, kj::mv(bytes))) return;
   refusals_.add(who, "open a second connection to process '" + directory_.process() +

@@ -27,11 +27,11 @@ namespace suture {
 class PeerHost {
  public:
   /// Throws SetupError as LinkServer does.
-  PeerHost(rpc::ControlThread& control, const Lanes& lanes, const Directory& directory,
-           Network::ServerOf serverOf, Network::TaskOf taskOf, const rpc::Address& address,
+  PeerHost(loop::ControlThread& control, const Lanes& lanes, const Directory& directory,
+           Network::ServerOf serverOf, Network::TaskOf taskOf, const net::Address& address,
            const Security& security, std::uint64_t incarnation);
 
-  const rpc::Address& address() const { return server_->address(); }
+  const net::Address& address() const { return server_->address(); }
 
   /// Says that all components are in the directory: what is not there now does not exist.
   void publish() { published_->fulfill(); }
@@ -41,7 +41,7 @@ class PeerHost {
   void hangUp() { server_.reset(); }
 
   /// Any thread. Returns how many peers and requests this process has refused.
-  rpc::Refusals::Summary refusals() const { return refusals_.summary(); }
+  net::Refusals::Summary refusals() const { return refusals_.summary(); }
 
   /// Any thread. Returns the provider ends of the connections that exist.
   std::vector<std::shared_ptr<Channel>> served() const;
@@ -50,10 +50,10 @@ class PeerHost {
   friend class PeerServer;
 
   /// Returns what serves a new link: this process, or the reason why not.
-  capnp::Capability::Client offerTo(std::shared_ptr<rpc::Caller> caller);
+  capnp::Capability::Client offerTo(std::shared_ptr<framing::Caller> caller);
 
   /// Takes a second connection that has come; refuses one that is not awaited.
-  void arrived(const rpc::Token& token, rpc::ByteStream bytes);
+  void arrived(const framing::Token& token, net::ByteStream bytes);
 
   using Latest = LatestConnections::Latest;
 
@@ -65,7 +65,7 @@ class PeerHost {
   /// Lets go of the channels of devices that have ended: a device has no cycle in which it would.
   void sweep();
 
-  rpc::ControlThread& control_;
+  loop::ControlThread& control_;
   const Lanes& lanes_;
   const Directory& directory_;
   const Network::ServerOf serverOf_;
@@ -81,8 +81,8 @@ class PeerHost {
   std::vector<std::shared_ptr<Channel>> served_;
   AwaitedSockets sockets_;
   Places secondSockets_;  // of all sessions, those that are awaited included
-  rpc::Refusals refusals_;
-  std::optional<rpc::LinkServer> server_;  // last: its links use the rest
+  net::Refusals refusals_;
+  std::optional<framing::LinkServer> server_;  // last: its links use the rest
 };
 
 }  // namespace suture

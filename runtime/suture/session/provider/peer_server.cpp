@@ -1,3 +1,5 @@
+#include <suture/codec/stamps.h>
+#include <suture/codec/tallies.h>
 #include <suture/component/task/task.h>
 #include <suture/lane/rpc/calls_server.h>
 #include <suture/lane/rpc/servant.h>
@@ -10,8 +12,6 @@
 #include <suture/session/provider/notices_sender.h>
 #include <suture/session/provider/peer_server.h>
 #include <suture/session/task_activity.h>
-#include <suture/wire/stamps.h>
-#include <suture/wire/tallies.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/frames.h>
 #include <suture/wiring/memory_layout.h>
@@ -39,16 +39,16 @@ Duration silenceIn(wire::ConnectRequest::Reader request) {
 /// Ends the connection when the client drops it.
 class ConnectionServer final : public wire::Connection::Server {
  public:
-  explicit ConnectionServer(kj::Own<rpc::ProviderEnd> end) : end_(kj::mv(end)) {}
+  explicit ConnectionServer(kj::Own<ProviderEnd> end) : end_(kj::mv(end)) {}
   ~ConnectionServer() noexcept(false) { end_->close(); }
 
  private:
-  kj::Own<rpc::ProviderEnd> end_;
+  kj::Own<ProviderEnd> end_;
 };
 
 }  // namespace
 
-PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
+PeerServer::PeerServer(PeerHost& host, std::shared_ptr<framing::Caller> caller)
     : host_(host),
       caller_(std::move(caller)),
       admission_(host.directory_.process(), host.policy_, caller_->identity),
@@ -66,17 +66,17 @@ PeerServer::~PeerServer() noexcept(false) {
 kj::Promise<void> PeerServer::hello(HelloContext context) {
   auto results = context.getResults();
   results.setReceived(toNanoseconds(now()));
-  results.setProcess(textOf(host_.directory_.process()));
-  results.setBootId(textOf(bootId()));
+  results.setProcess(codec::textOf(host_.directory_.process()));
+  results.setBootId(codec::textOf(bootId()));
   results.setIncarnation(host_.incarnation_);
   const auto in = context.getParams();
   auto refusal = admission_.whyNotNames({in.getProcess(), in.getBootId()});
-  if (!refusal) refusal = admission_.whyNotProcess(stringOf(in.getProcess()));
+  if (!refusal) refusal = admission_.whyNotProcess(codec::stringOf(in.getProcess()));
   if (!refusal) refusal = admission_.whyNotVersion(in.getVersion());
   if (refusal) {
     refuse(*refusal, results.initRefused());
   } else {
-    bootId_ = stringOf(in.getBootId());
+    bootId_ = codec::stringOf(in.getBootId());
     incarnation_ = in.getIncarnation();
     greeting_ = host_.latest_.nextGreeting();
     caller_->known = true;
@@ -99,7 +99,7 @@ kj::Promise<void> PeerServer::ping(PingContext context) {
       if (const auto refusal = admission_.whyNotNames({name})) return fail(refusal->text);
     }
     watched_.clear();
-    for (const auto name : in.getComponents()) watched_.push_back(stringOf(name));
+    for (const auto name : in.getComponents()) watched_.push_back(codec::stringOf(name));
   }
   // A client that leaves may have sent this before its connections ended, which travel on sockets
   // of their own; it stays if it says more after that.
@@ -138,7 +138,7 @@ void PeerServer::refuse(const Refusal& refusal, wire::Refusal::Builder out) {
 
 kj::Promise<void> PeerServer::fail(const std::string& why) {
   host_.refusals_.add(caller_->identity.text(), why);
-  return rpc::failure(Type::FAILED, why);
+  return loop::failure(Type::FAILED, why);
 }
 
 template <class Attempt, class Refuse>
@@ -191,7 +191,7 @@ kj::Promise<void> PeerServer::connect(ConnectContext context) {
   auto withheld = admission_.whyNotNames({in.getFromProcess(), in.getFromComponent(),
                                           in.getRequired(), in.getToComponent(), in.getProvided(),
                                           in.getContract(), in.getHash()});
-  if (!withheld) withheld = admission_.whyNotProcess(stringOf(in.getFromProcess()));
+  if (!withheld) withheld = admission_.whyNotProcess(codec::stringOf(in.getFromProcess()));
   if (!withheld) withheld = whyNotGiven(endpoint);
   if (withheld) {
     refuse(*withheld, context.getResults().initRefused());
@@ -221,11 +221,12 @@ struct PeerServer::Asked {
 kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& endpoint,
                                      ConnectContext& context, Places::Place place) {
   auto in = context.getParams();
-  const Endpoint client{stringOf(in.getFromProcess()), stringOf(in.getFromComponent()),
-                        stringOf(in.getRequired())};
+  const Endpoint client{codec::stringOf(in.getFromProcess()),
+                        codec::stringOf(in.getFromComponent()), codec::stringOf(in.getRequired())};
   const std::string name = connectionName(client, endpoint);
-  const std::string contract = stringOf(in.getContract()), hash = stringOf(in.getHash()),
-                    description = stringOf(in.getDescription());
+  const std::string contract = codec::stringOf(in.getContract()),
+                    hash = codec::stringOf(in.getHash()),
+                    description = codec::stringOf(in.getDescription());
   try {
     const Match match = requireCompatibleContract(describedInfo(contract, hash, description),
                                                   provided.info(), name);
@@ -256,7 +257,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
   }
 }
 
-PeerHost::Latest PeerServer::latestAt(ConnectContext& context, rpc::ProviderEnd* end) const {
+PeerHost::Latest PeerServer::latestAt(ConnectContext& context, ProviderEnd* end) const {
   return {.bootId = bootId_,
           .epoch = context.getParams().getEpoch(),
           .incarnation = incarnation_,
@@ -275,7 +276,7 @@ bool PeerServer::mayTakeOver(const std::string& client, const std::string& name,
 
 kj::Promise<void> PeerServer::accept(const Asked& asked) {
   ConnectContext context = asked.context;
-  return whenLane(stringOf(context.getParams().getLane()))
+  return whenLane(codec::stringOf(context.getParams().getLane()))
       .then([this, asked](LaneServer* lane) { return make(*lane, asked); })
       .then(
           [this, asked](kj::Maybe<AcceptedEnd>&& made) {
@@ -286,13 +287,13 @@ kj::Promise<void> PeerServer::accept(const Asked& asked) {
 
 void PeerServer::decline(ConnectContext context, const kj::Exception& why) {
   const auto in = context.getParams();
-  const std::string text = rpc::describe(why);
-  context.getResults().setDeclined(textOf(text));
+  const std::string text = loop::describe(why);
+  context.getResults().setDeclined(codec::textOf(text));
   if (why.getType() != Type::OVERLOADED) return;
   context.getResults().setFailed(true);
   host_.refusals_.add(caller_->identity.text(),
                       "use '" + endpointOf(in.getToComponent(), in.getProvided()).toString() +
-                          "' by lane '" + stringOf(in.getLane()) + "': " + text);
+                          "' by lane '" + codec::stringOf(in.getLane()) + "': " + text);
 }
 
 kj::Promise<kj::Maybe<AcceptedEnd>> PeerServer::make(LaneServer& lane, const Asked& asked) {
@@ -314,7 +315,7 @@ kj::Promise<LaneServer*> PeerServer::whenLane(const std::string& name) {
   if (LaneServer* const lane = laneNamed(name)) return lane;
   return host_.whenPublished_.addBranch().then([this, name]() -> kj::Promise<LaneServer*> {
     if (LaneServer* const lane = laneNamed(name)) return lane;
-    return rpc::failure(Type::FAILED, "the provider's process has no lane '" + name + "'");
+    return loop::failure(Type::FAILED, "the provider's process has no lane '" + name + "'");
   });
 }
 
@@ -330,7 +331,7 @@ LaneServer* PeerServer::laneNamed(const std::string& name) {
 void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   ConnectContext context = asked.context;
   const auto in = context.getParams();
-  rpc::ProviderEnd& end = *accepted.end;
+  ProviderEnd& end = *accepted.end;
   if (in.getEpoch() != 0) {
     if (!mayTakeOver(asked.client, asked.connection.terms.name, context)) return end.close();
     host_.latest_.end(asked.client);
@@ -345,7 +346,7 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   auto out = context.getResults().getAccepted();
   out.setLacking(kj::arrayPtr(asked.match.lacking.data(), asked.match.lacking.size()));
   out.setRows(static_cast<std::uint32_t>(asked.connection.provided.state()->capacity()));
-  toWire(end.earlier(), out.initEarlier());
+  codec::toWire(end.earlier(), out.initEarlier());
   out.setConnection(kj::heap<ConnectionServer>(kj::addRef(end)));
   attach(asked.connection.provided, std::move(accepted.channel));
 }
@@ -365,15 +366,15 @@ bool PeerServer::forgetEnded() {
 
 kj::Promise<void> PeerServer::compared(ComparedContext context) {
   const auto in = context.getParams();
-  state_->clockShift = -Duration(rpc::bounded(in.getClockOffset()));
-  state_->clockError = Duration(std::max<std::int64_t>(rpc::bounded(in.getClockError()), 1));
+  state_->clockShift = -Duration(codec::bounded(in.getClockOffset()));
+  state_->clockError = Duration(std::max<std::int64_t>(codec::bounded(in.getClockError()), 1));
   return kj::READY_NOW;
 }
 
 kj::Promise<void> PeerServer::socket(SocketContext context) {
   if (!caller_->known) return fail("a second connection is for whoever has said hello");
   context.allowCancellation();  // the process may leave before it publishes
-  return whenLane(stringOf(context.getParams().getLane()))
+  return whenLane(codec::stringOf(context.getParams().getLane()))
       .then([this, context](LaneServer* lane) mutable { return awaitSocket(*lane, context); });
 }
 
@@ -459,7 +460,7 @@ kj::Promise<void> PeerServer::explain(ExplainContext context) {
 
 Endpoint PeerServer::endpointOf(capnp::Text::Reader component,
                                 capnp::Text::Reader interface) const {
-  return {host_.directory_.process(), stringOf(component), stringOf(interface)};
+  return {host_.directory_.process(), codec::stringOf(component), codec::stringOf(interface)};
 }
 
 void PeerServer::attach(ProvidedBase& provided, std::shared_ptr<Channel> channel) {

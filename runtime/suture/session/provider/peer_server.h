@@ -19,7 +19,7 @@ namespace suture {
 /// session that the link carries. When the link goes, so do the connections made through it.
 class PeerServer final : public wire::Peer::Server, private ServerSession {
  public:
-  PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller);
+  PeerServer(PeerHost& host, std::shared_ptr<framing::Caller> caller);
   ~PeerServer() noexcept(false);
 
  protected:
@@ -36,12 +36,12 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   struct Asked;
   /// This is a connection, or what a plain client has opened.
   struct Held {
-    kj::Own<rpc::ProviderEnd> end;
+    kj::Own<ProviderEnd> end;
     std::shared_ptr<Channel> channel;
     Places::Place place;
   };
 
-  rpc::ControlThread& control() override { return host_.control_; }
+  loop::ControlThread& control() override { return host_.control_; }
   void cutOff(const std::string& why) override;
 
   /// Returns what `attempt()` does. If that throws SetupError, calls it once more when the process
@@ -52,7 +52,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   Endpoint endpointOf(capnp::Text::Reader component, capnp::Text::Reader interface) const;
   kj::Promise<void> decide(ProvidedBase& provided, const Endpoint& endpoint,
                            ConnectContext& context, Places::Place place);
-  PeerHost::Latest latestAt(ConnectContext& context, rpc::ProviderEnd* end) const;
+  PeerHost::Latest latestAt(ConnectContext& context, ProviderEnd* end) const;
   /// Returns false, and refuses the request, if a later one has come first.
   bool mayTakeOver(const std::string& client, const std::string& name, ConnectContext& context);
   /// Makes the connection by the lane that was asked for, or declines it.
@@ -82,7 +82,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   void refuse(const Refusal& refusal, wire::Refusal::Builder out);
 
   PeerHost& host_;
-  const std::shared_ptr<rpc::Caller> caller_;
+  const std::shared_ptr<framing::Caller> caller_;
   const Admission admission_;      // of the caller
   std::string bootId_;             // the peer's, as it said in hello
   std::uint64_t incarnation_ = 0;  // likewise

@@ -16,7 +16,7 @@ std::optional<SecondSockets::Expected> SecondSockets::await(LaneServer& lane) {
   const std::uint32_t number = ++latest_;
   auto awaiting =
       awaited_.await(caller_->identity,
-                     [this, &lane, number, place = places_.take()](rpc::ByteStream bytes) mutable {
+                     [this, &lane, number, place = places_.take()](net::ByteStream bytes) mutable {
                        onTheirWay_.erase(number);
                        bytes.attach(std::move(place));
                        lane.opened({number, kj::mv(bytes), caller_->share()});

@@ -16,13 +16,13 @@ namespace suture {
 /// Belongs to the control thread. `awaited` and `places` serve all peers, and outlive this.
 class SecondSockets {
  public:
-  SecondSockets(AwaitedSockets& awaited, Places& places, std::shared_ptr<rpc::Caller> caller)
+  SecondSockets(AwaitedSockets& awaited, Places& places, std::shared_ptr<framing::Caller> caller)
       : awaited_(awaited), places_(places), caller_(std::move(caller)) {}
 
   /// The peer has to show the token on the socket, and to name the number later.
   struct Expected {
     std::uint32_t number;
-    rpc::Token token;
+    framing::Token token;
   };
   /// Awaits a socket, which `lane` gets when it comes. Returns nothing if no place is free. Throws
   /// SetupError if the kernel refuses.
@@ -31,7 +31,7 @@ class SecondSockets {
  private:
   AwaitedSockets& awaited_;
   Places& places_;
-  const std::shared_ptr<rpc::Caller> caller_;
+  const std::shared_ptr<framing::Caller> caller_;
   std::map<std::uint32_t, kj::Own<AwaitedSockets::Awaiting>> onTheirWay_;  // by number
   std::uint32_t latest_ = 0;
 };

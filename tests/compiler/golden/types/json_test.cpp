@@ -1,6 +1,6 @@
 // These are composites as recordings and the command line show them.
 
-#include <suture/wire/json/to_json.h>
+#include <suture/codec/json/to_json.h>
 
 #include "round_trip.h"
 #include "shapes/containers.capnp.h"
@@ -14,14 +14,14 @@ void toWire(const MatricesSlot& slot, wire::Matrices::Builder out);
 
 namespace {
 
-using suture::Json;
+using suture::codec::Json;
 
 template <class Message, class Slot>
 Json shown(const Slot& slot) {
   capnp::MallocMessageBuilder message;
   auto out = message.initRoot<Message>();
   toWire(slot, out);
-  return suture::toJson(capnp::toDynamic(out.asReader()), suture::Labels::Names);
+  return suture::codec::toJson(capnp::toDynamic(out.asReader()), suture::codec::Labels::Names);
 }
 
 /// Returns what is shown of `value`, through its slot.

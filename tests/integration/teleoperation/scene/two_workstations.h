@@ -72,7 +72,7 @@ class TwoWorkstations {
   const suture::Lane lane_;
   const suture::Duration delay_;
   const suture::TemporaryDirectory directory_;
-  suture::rpc::ControlThread control_;
+  suture::loop::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   DrivenMtm master_;
   DrivenPsm slave_;

@@ -19,7 +19,7 @@ class Surplus {
   static constexpr std::size_t kMost = std::size_t{64} << 20;
 
   /// `share` counts it; null: the peer was called, so that only kMost bounds it.
-  explicit Surplus(std::unique_ptr<rpc::PeerBudget::Share> share = nullptr)
+  explicit Surplus(std::unique_ptr<framing::PeerBudget::Share> share = nullptr)
       : share_(std::move(share)) {}
 
   /// Returns false if less is left; whyNot() says of what.
@@ -28,7 +28,7 @@ class Surplus {
       whyNot_ = "the values of its connections would need more than " + std::to_string(kMost) +
                 " bytes beyond their contracts. Send smaller ones";
     } else if (const auto beyond = hold(taken_ + bytes)) {
-      whyNot_ = rpc::unfinishedBeyond(*beyond);
+      whyNot_ = framing::unfinishedBeyond(*beyond);
     } else {
       taken_ += bytes;
       return true;
@@ -43,11 +43,11 @@ class Surplus {
   const std::string& whyNot() const { return whyNot_; }
 
  private:
-  std::optional<rpc::PeerBudget::Beyond> hold(std::size_t bytes) {
+  std::optional<framing::PeerBudget::Beyond> hold(std::size_t bytes) {
     return share_ == nullptr ? std::nullopt : share_->hold(bytes);
   }
 
-  const std::unique_ptr<rpc::PeerBudget::Share> share_;
+  const std::unique_ptr<framing::PeerBudget::Share> share_;
   std::size_t taken_ = 0;
   std::string whyNot_;
 };

@@ -42,10 +42,10 @@ EncodedPayloads::EncodedPayloads(const InterfaceInfo& contract)
 
 std::size_t EncodedPayloads::limit() const { return kLimit; }
 
-const rpc::MessageCodec& EncodedPayloads::codecOf(ValueName name) const {
-  const rpc::Codec& codec = contract_.codec();
+const codec::MessageCodec& EncodedPayloads::codecOf(ValueName name) const {
+  const codec::Codec& codec = contract_.codec();
   if (name.kind == Kind::Event) return codec.events[name.number].payload;
-  const rpc::CommandCodec& command = codec.commands[name.number];
+  const codec::CommandCodec& command = codec.commands[name.number];
   return name.kind == Kind::Reply ? command.result : command.arguments;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 // These are values as Cap'n Proto messages, between processes whose builds differ.
 
+#include <suture/codec/codec.h>
 #include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/frame/payloads/payloads.h>
-#include <suture/wire/codec.h>
 
 #include <capnp/message.h>
 
@@ -28,7 +28,7 @@ class EncodedPayloads final : public Payloads {
                                     rt::StateTable& mirror) override;
 
  private:
-  const rpc::MessageCodec& codecOf(ValueName name) const;
+  const codec::MessageCodec& codecOf(ValueName name) const;
   template <class Encode>
   std::span<const std::byte> packed(const Encode& encode);
 

@@ -4,7 +4,8 @@
 
 namespace suture {
 
-std::optional<rpc::PeerBudget::Beyond> ChannelMemory::hold(const Share& share, std::size_t bytes) {
+std::optional<framing::PeerBudget::Beyond> ChannelMemory::hold(const Share& share,
+                                                               std::size_t bytes) {
   std::erase_if(kept_, [](const Kept& one) { return one.channel.expired(); });
   return share->hold(bytes);
 }

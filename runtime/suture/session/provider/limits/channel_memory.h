@@ -17,19 +17,19 @@ namespace suture {
 /// that hangs or is stopped keeps them; those of a device are swept by the control thread.
 class ChannelMemory {
  public:
-  static constexpr rpc::PeerBudget::Limits kLimits{.peer = std::size_t{2} << 30,
-                                                   .process = std::size_t{4} << 30};
-  using Share = std::shared_ptr<rpc::PeerBudget::Share>;
+  static constexpr framing::PeerBudget::Limits kLimits{.peer = std::size_t{2} << 30,
+                                                       .process = std::size_t{4} << 30};
+  using Share = std::shared_ptr<framing::PeerBudget::Share>;
 
-  explicit ChannelMemory(const rpc::PeerBudget::Limits& limits = kLimits)
-      : budget_(std::make_shared<rpc::PeerBudget>(limits)) {}
+  explicit ChannelMemory(const framing::PeerBudget::Limits& limits = kLimits)
+      : budget_(std::make_shared<framing::PeerBudget>(limits)) {}
 
   /// Returns what counts for one connection of that peer; it holds nothing yet.
   Share share(const std::string& peer) const {
-    return std::make_shared<rpc::PeerBudget::Share>(budget_, peer);
+    return std::make_shared<framing::PeerBudget::Share>(budget_, peer);
   }
   /// Lets `share` hold so many bytes, and returns which limit that would break.
-  std::optional<rpc::PeerBudget::Beyond> hold(const Share& share, std::size_t bytes);
+  std::optional<framing::PeerBudget::Beyond> hold(const Share& share, std::size_t bytes);
   /// Keeps `share` for as long as somebody has the channel that was built.
   void keep(const std::shared_ptr<Channel>& channel, Share share);
 
@@ -39,7 +39,7 @@ class ChannelMemory {
     Share share;
   };
 
-  const std::shared_ptr<rpc::PeerBudget> budget_;
+  const std::shared_ptr<framing::PeerBudget> budget_;
   std::vector<Kept> kept_;
 };
 

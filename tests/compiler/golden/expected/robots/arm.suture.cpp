@@ -4,7 +4,7 @@
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
 #include <suture/component/factory/json_reader.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -109,7 +109,7 @@ void shiftStamps(EverythingSlot& slot, suture::Duration shift) {
   for (auto& element : suture::elementsIn(slot.track)) {
     shiftStamps(element, shift);
   }
-  slot.when = suture::rpc::shifted(slot.when, shift);
+  slot.when = suture::codec::shifted(slot.when, shift);
 }
 
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
@@ -183,7 +183,7 @@ bool isValid(const EverythingSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in robots/arm.wire.cpp.
-const suture::rpc::Codec& armCodec();
+const suture::codec::Codec& armCodec();
 
 namespace {
 

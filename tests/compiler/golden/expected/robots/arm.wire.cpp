@@ -1,7 +1,7 @@
 // Written by suturec from robots/arm.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robots/arm.capnp.h"
 #include "robots/arm.suture.h"
@@ -14,8 +14,8 @@ suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, sutur
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -50,19 +50,19 @@ void toWire(const EverythingSlot& slot, wire::Everything::Builder out) {
   toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
   toWire(slot.flags, out.initFlags(sizeOf(slot.flags)));
   toWire(slot.names, out.initNames(sizeOf(slot.names)));
-  suture::rpc::toWireList(slot.pairs, out.initPairs(sizeOf(slot.pairs)),
-                          [](const std::array<double, 2>& element, auto list, std::uint32_t i) {
-                            toWire(element, list.init(i, 2));
-                          });
-  suture::rpc::toWireList(slot.modes, out.initModes(2),
-                          [](const std::int8_t& element, auto list, std::uint32_t i) {
-                            list.set(i, wireMode(element));
-                          });
+  suture::codec::toWireList(slot.pairs, out.initPairs(sizeOf(slot.pairs)),
+                            [](const std::array<double, 2>& element, auto list, std::uint32_t i) {
+                              toWire(element, list.init(i, 2));
+                            });
+  suture::codec::toWireList(slot.modes, out.initModes(2),
+                            [](const std::int8_t& element, auto list, std::uint32_t i) {
+                              list.set(i, wireMode(element));
+                            });
   toWire(slot.goal, out.initGoal());
-  suture::rpc::toWireList(slot.track, out.initTrack(sizeOf(slot.track)),
-                          [](const PoseStampedSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.track, out.initTrack(sizeOf(slot.track)),
+                            [](const PoseStampedSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   toWire(slot.point, out.initPoint());
   toWire(slot.plane, out.initPlane(3));
   toWire(slot.inertia, out.initInertia());
@@ -79,34 +79,35 @@ suture::Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, suture:
   slot.speed = in.getSpeed();
   slot.ratio = in.getRatio();
   slot.period = in.getPeriod();
-  slot.when = suture::rpc::shifted(in.getWhen(), shift);
-  return suture::rpc::firstError({
+  slot.when = suture::codec::shifted(in.getWhen(), shift);
+  return suture::codec::firstError({
       fromWire(in.getMode(), slot.mode),
       fromWire(in.getLabel(), slot.label),
       fromWire(in.getBytes(), slot.bytes),
       fromWire(in.getFlags(), slot.flags),
       fromWire(in.getNames(), slot.names),
-      suture::rpc::fromWireList(in.getPairs(), slot.pairs,
-                                [](auto item, std::array<double, 2>& target) {
-                                  return fromWire(item, target);
-                                }),
-      suture::rpc::fromWireList(in.getModes(), slot.modes, [](auto item, std::int8_t& target) {
+      suture::codec::fromWireList(in.getPairs(), slot.pairs,
+                                  [](auto item, std::array<double, 2>& target) {
+                                    return fromWire(item, target);
+                                  }),
+      suture::codec::fromWireList(in.getModes(), slot.modes, [](auto item, std::int8_t& target) {
         return fromWire(item, target);
       }),
       fromWire(in.getGoal(), slot.goal, shift),
-      suture::rpc::fromWireList(in.getTrack(), slot.track, [&](auto item, PoseStampedSlot& target) {
-        return fromWire(item, target, shift);
-      }),
+      suture::codec::fromWireList(in.getTrack(), slot.track,
+                                  [&](auto item, PoseStampedSlot& target) {
+                                    return fromWire(item, target, shift);
+                                  }),
       in.hasPoint() ? fromWire(in.getPoint(), slot.point)
-          : suture::rpc::fromDefault(Everything().point, slot.point),
+          : suture::codec::fromDefault(Everything().point, slot.point),
       in.getPlane().size() != 0 ? fromWire(in.getPlane(), slot.plane)
-          : suture::rpc::fromDefault(Everything().plane, slot.plane),
+          : suture::codec::fromDefault(Everything().plane, slot.plane),
       in.hasInertia() ? fromWire(in.getInertia(), slot.inertia)
-          : suture::rpc::fromDefault(Everything().inertia, slot.inertia),
+          : suture::codec::fromDefault(Everything().inertia, slot.inertia),
       in.getJacobian().size() != 0 ? fromWire(in.getJacobian(), slot.jacobian)
-          : suture::rpc::fromDefault(Everything().jacobian, slot.jacobian),
+          : suture::codec::fromDefault(Everything().jacobian, slot.jacobian),
       in.hasAttitude() ? fromWire(in.getAttitude(), slot.attitude)
-          : suture::rpc::fromDefault(Everything().attitude, slot.attitude),
+          : suture::codec::fromDefault(Everything().attitude, slot.attitude),
   });
 }
 
@@ -241,7 +242,7 @@ void encodeArmMovedEvent(const ArmMovedPayload& slot, wire::ArmEvents::MovedPara
 suture::Errc decodeArmMovedEvent(wire::ArmEvents::MovedParams::Reader in, ArmMovedPayload& slot,
                                  suture::Duration shift) {
   slot.value2 = in.getValue2();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid,
       fromWire(in.getValue3(), slot.value3),
   });
@@ -304,97 +305,97 @@ suture::Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std:
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kArmCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kArmCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Arm::EnableParams>},
+     .sent = suture::codec::sentIn<wire::Arm::EnableParams>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Arm::ServoCpParams>,
-     .arguments = suture::rpc::messageOf<wire::Arm::ServoCpParams, ArmServoCpArguments,
-                                         encodeArmServoCp, decodeArmServoCp>},
+     .sent = suture::codec::sentIn<wire::Arm::ServoCpParams>,
+     .arguments = suture::codec::messageOf<wire::Arm::ServoCpParams, ArmServoCpArguments,
+                                           encodeArmServoCp, decodeArmServoCp>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Arm::SetSpeedParams>,
-     .arguments = suture::rpc::messageOf<wire::Arm::SetSpeedParams, ArmSetSpeedArguments,
-                                         encodeArmSetSpeed, decodeArmSetSpeed>},
+     .sent = suture::codec::sentIn<wire::Arm::SetSpeedParams>,
+     .arguments = suture::codec::messageOf<wire::Arm::SetSpeedParams, ArmSetSpeedArguments,
+                                           encodeArmSetSpeed, decodeArmSetSpeed>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Arm::MeasuredCpParams>,
-     .result = suture::rpc::messageOf<wire::Arm::MeasuredCpResults, PoseStampedSlot,
-                                      encodeArmMeasuredCpResult, decodeArmMeasuredCpResult>,
-     .stamp = suture::rpc::stampIn<wire::Arm::MeasuredCpResults>},
+     .sent = suture::codec::sentIn<wire::Arm::MeasuredCpParams>,
+     .result = suture::codec::messageOf<wire::Arm::MeasuredCpResults, PoseStampedSlot,
+                                        encodeArmMeasuredCpResult, decodeArmMeasuredCpResult>,
+     .stamp = suture::codec::stampIn<wire::Arm::MeasuredCpResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 5,
-     .sent = suture::rpc::sentIn<wire::Arm::ModeParams>,
-     .result = suture::rpc::messageOf<wire::Arm::ModeResults, std::int8_t, encodeArmModeResult,
-                                      decodeArmModeResult>,
-     .stamp = suture::rpc::stampIn<wire::Arm::ModeResults>},
+     .sent = suture::codec::sentIn<wire::Arm::ModeParams>,
+     .result = suture::codec::messageOf<wire::Arm::ModeResults, std::int8_t, encodeArmModeResult,
+                                        decodeArmModeResult>,
+     .stamp = suture::codec::stampIn<wire::Arm::ModeResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 6,
-     .sent = suture::rpc::sentIn<wire::Arm::EverythingParams>,
-     .result = suture::rpc::messageOf<wire::Arm::EverythingResults, EverythingSlot,
-                                      encodeArmEverythingResult, decodeArmEverythingResult>,
-     .stamp = suture::rpc::stampIn<wire::Arm::EverythingResults>},
+     .sent = suture::codec::sentIn<wire::Arm::EverythingParams>,
+     .result = suture::codec::messageOf<wire::Arm::EverythingResults, EverythingSlot,
+                                        encodeArmEverythingResult, decodeArmEverythingResult>,
+     .stamp = suture::codec::stampIn<wire::Arm::EverythingResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 7,
-     .sent = suture::rpc::sentIn<wire::Arm::InverseKinematicsParams>,
-     .arguments = suture::rpc::messageOf<wire::Arm::InverseKinematicsParams,
-                                         ArmInverseKinematicsArguments, encodeArmInverseKinematics,
-                                         decodeArmInverseKinematics>,
-     .result = suture::rpc::messageOf<wire::Arm::InverseKinematicsResults, EverythingSlot,
-                                      encodeArmInverseKinematicsResult,
-                                      decodeArmInverseKinematicsResult>},
+     .sent = suture::codec::sentIn<wire::Arm::InverseKinematicsParams>,
+     .arguments = suture::codec::messageOf<wire::Arm::InverseKinematicsParams,
+                                           ArmInverseKinematicsArguments,
+                                           encodeArmInverseKinematics, decodeArmInverseKinematics>,
+     .result = suture::codec::messageOf<wire::Arm::InverseKinematicsResults, EverythingSlot,
+                                        encodeArmInverseKinematicsResult,
+                                        decodeArmInverseKinematicsResult>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 8,
-     .sent = suture::rpc::sentIn<wire::Arm::GraspParams>,
-     .arguments = suture::rpc::messageOf<wire::Arm::GraspParams, ArmGraspArguments, encodeArmGrasp,
-                                         decodeArmGrasp>,
-     .result = suture::rpc::messageOf<wire::Arm::GraspResults, std::uint8_t, encodeArmGraspResult,
-                                      decodeArmGraspResult>},
+     .sent = suture::codec::sentIn<wire::Arm::GraspParams>,
+     .arguments = suture::codec::messageOf<wire::Arm::GraspParams, ArmGraspArguments,
+                                           encodeArmGrasp, decodeArmGrasp>,
+     .result = suture::codec::messageOf<wire::Arm::GraspResults, std::uint8_t, encodeArmGraspResult,
+                                        decodeArmGraspResult>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 9,
-     .sent = suture::rpc::sentIn<wire::Arm::NextTokenParams>,
-     .result = suture::rpc::messageOf<wire::Arm::NextTokenResults, std::uint32_t,
-                                      encodeArmNextTokenResult, decodeArmNextTokenResult>},
+     .sent = suture::codec::sentIn<wire::Arm::NextTokenParams>,
+     .result = suture::codec::messageOf<wire::Arm::NextTokenResults, std::uint32_t,
+                                        encodeArmNextTokenResult, decodeArmNextTokenResult>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 10,
-     .sent = suture::rpc::sentIn<wire::Arm::ParkParams>},
+     .sent = suture::codec::sentIn<wire::Arm::ParkParams>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 11,
-     .sent = suture::rpc::sentIn<wire::Arm::LoadParams>,
-     .result = suture::rpc::messageOf<wire::Arm::LoadResults, double, encodeArmLoadResult,
-                                      decodeArmLoadResult>,
-     .stamp = suture::rpc::stampIn<wire::Arm::LoadResults>},
+     .sent = suture::codec::sentIn<wire::Arm::LoadParams>,
+     .result = suture::codec::messageOf<wire::Arm::LoadResults, double, encodeArmLoadResult,
+                                        decodeArmLoadResult>,
+     .stamp = suture::codec::stampIn<wire::Arm::LoadResults>},
 };
 
-constexpr suture::rpc::EventCodec kArmEventCodecs[] = {
+constexpr suture::codec::EventCodec kArmEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::ArmEvents::ModeChangedParams>,
-     .payload = suture::rpc::messageOf<wire::ArmEvents::ModeChangedParams, std::int8_t,
-                                       encodeArmModeChangedEvent, decodeArmModeChangedEvent>},
-    {.method = 2, .stamp = suture::rpc::stampIn<wire::ArmEvents::StoppedParams>},
+     .stamp = suture::codec::stampIn<wire::ArmEvents::ModeChangedParams>,
+     .payload = suture::codec::messageOf<wire::ArmEvents::ModeChangedParams, std::int8_t,
+                                         encodeArmModeChangedEvent, decodeArmModeChangedEvent>},
+    {.method = 2, .stamp = suture::codec::stampIn<wire::ArmEvents::StoppedParams>},
     {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::ArmEvents::ArrivedParams>,
-     .payload = suture::rpc::messageOf<wire::ArmEvents::ArrivedParams, PoseStampedSlot,
-                                       encodeArmArrivedEvent, decodeArmArrivedEvent>},
+     .stamp = suture::codec::stampIn<wire::ArmEvents::ArrivedParams>,
+     .payload = suture::codec::messageOf<wire::ArmEvents::ArrivedParams, PoseStampedSlot,
+                                         encodeArmArrivedEvent, decodeArmArrivedEvent>},
     {.method = 4,
-     .stamp = suture::rpc::stampIn<wire::ArmEvents::MovedParams>,
-     .payload = suture::rpc::messageOf<wire::ArmEvents::MovedParams, ArmMovedPayload,
-                                       encodeArmMovedEvent, decodeArmMovedEvent>},
+     .stamp = suture::codec::stampIn<wire::ArmEvents::MovedParams>,
+     .payload = suture::codec::messageOf<wire::ArmEvents::MovedParams, ArmMovedPayload,
+                                         encodeArmMovedEvent, decodeArmMovedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& armCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Arm>,
+const suture::codec::Codec& armCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Arm>,
       .contract = capnp::typeId<wire::Arm>(),
       .subscriber = capnp::typeId<wire::ArmEvents>(),
       .commands = kArmCommandCodecs,
       .events = kArmEventCodecs,
-      .row = suture::rpc::rowOf<wire::ArmEvents::StateParams, wire::ArmStateRow, encodeArmColumn,
-                                decodeArmColumn>,
+      .row = suture::codec::rowOf<wire::ArmEvents::StateParams, wire::ArmStateRow, encodeArmColumn,
+                                  decodeArmColumn>,
   };
   return kCodec;
 }
@@ -405,12 +406,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::Everything& value) {
-  return rpc::encodeAs<robots::wire::Everything, robots::EverythingSlot>(value);
+  return codec::encodeAs<robots::wire::Everything, robots::EverythingSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::Everything& value) {
-  return rpc::decodeAs<robots::wire::Everything, robots::EverythingSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::Everything, robots::EverythingSlot>(bytes, value);
 }
 
 }  // namespace suture

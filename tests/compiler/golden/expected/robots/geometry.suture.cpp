@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -37,7 +37,7 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
 }
 
 void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+  slot.stamp = suture::codec::shifted(slot.stamp, shift);
 }
 
 bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {

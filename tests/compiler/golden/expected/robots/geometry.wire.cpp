@@ -1,14 +1,14 @@
 // Written by suturec from robots/geometry.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robots/geometry.capnp.h"
 #include "robots/geometry.suture.h"
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -19,10 +19,10 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
 }
 
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasPose() ? fromWire(in.getPose(), slot.pose)
-      : suture::rpc::fromDefault(PoseStamped().pose, slot.pose);
+      : suture::codec::fromDefault(PoseStamped().pose, slot.pose);
 }
 
 }  // namespace robots
@@ -31,12 +31,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::PoseStamped& value) {
-  return rpc::encodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(value);
+  return codec::encodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::PoseStamped& value) {
-  return rpc::decodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -35,8 +35,8 @@ bool store(const double& range, const double& slot, const double& storeGiven,
 }
 
 // Defined in robots/gripper.wire.cpp.
-const suture::rpc::Codec& gripperCodec();
-const suture::rpc::Codec& namesCodec();
+const suture::codec::Codec& gripperCodec();
+const suture::codec::Codec& namesCodec();
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Written by suturec from robots/gripper.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/wire.h>
 
 #include "robots/gripper.capnp.h"
 #include "robots/gripper.suture.h"
@@ -21,8 +21,8 @@ suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, sutur
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- Gripper as Cap'n Proto
 
@@ -91,7 +91,7 @@ void encodeGripperMovedEvent(const ArmMovedPayload& slot,
 suture::Errc decodeGripperMovedEvent(wire::GripperEvents::MovedParams::Reader in,
                                      ArmMovedPayload& slot, suture::Duration shift) {
   slot.value2 = in.getValue2();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid,
       fromWire(in.getValue3(), slot.value3),
   });
@@ -184,61 +184,61 @@ suture::Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kGripperCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kGripperCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Gripper::OpenParams>,
-     .arguments = suture::rpc::messageOf<wire::Gripper::OpenParams, GripperOpenArguments,
-                                         encodeGripperOpen, decodeGripperOpen>},
+     .sent = suture::codec::sentIn<wire::Gripper::OpenParams>,
+     .arguments = suture::codec::messageOf<wire::Gripper::OpenParams, GripperOpenArguments,
+                                           encodeGripperOpen, decodeGripperOpen>},
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Gripper::OpeningParams>,
-     .result = suture::rpc::messageOf<wire::Gripper::OpeningResults, double,
-                                      encodeGripperOpeningResult, decodeGripperOpeningResult>,
-     .stamp = suture::rpc::stampIn<wire::Gripper::OpeningResults>},
+     .sent = suture::codec::sentIn<wire::Gripper::OpeningParams>,
+     .result = suture::codec::messageOf<wire::Gripper::OpeningResults, double,
+                                        encodeGripperOpeningResult, decodeGripperOpeningResult>,
+     .stamp = suture::codec::stampIn<wire::Gripper::OpeningResults>},
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Gripper::FitsParams>,
-     .arguments = suture::rpc::messageOf<wire::Gripper::FitsParams, GripperFitsArguments,
-                                         encodeGripperFits, decodeGripperFits>,
-     .result = suture::rpc::messageOf<wire::Gripper::FitsResults, std::uint8_t,
-                                      encodeGripperFitsResult, decodeGripperFitsResult>},
+     .sent = suture::codec::sentIn<wire::Gripper::FitsParams>,
+     .arguments = suture::codec::messageOf<wire::Gripper::FitsParams, GripperFitsArguments,
+                                           encodeGripperFits, decodeGripperFits>,
+     .result = suture::codec::messageOf<wire::Gripper::FitsResults, std::uint8_t,
+                                        encodeGripperFitsResult, decodeGripperFitsResult>},
 };
 
-constexpr suture::rpc::EventCodec kGripperEventCodecs[] = {
+constexpr suture::codec::EventCodec kGripperEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::GripperEvents::ModeChangedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperEvents::ModeChangedParams, std::int8_t,
-                                       encodeGripperModeChangedEvent,
-                                       decodeGripperModeChangedEvent>},
-    {.method = 2, .stamp = suture::rpc::stampIn<wire::GripperEvents::StoppedParams>},
+     .stamp = suture::codec::stampIn<wire::GripperEvents::ModeChangedParams>,
+     .payload = suture::codec::messageOf<wire::GripperEvents::ModeChangedParams, std::int8_t,
+                                         encodeGripperModeChangedEvent,
+                                         decodeGripperModeChangedEvent>},
+    {.method = 2, .stamp = suture::codec::stampIn<wire::GripperEvents::StoppedParams>},
     {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::GripperEvents::ArrivedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperEvents::ArrivedParams, PoseStampedSlot,
-                                       encodeGripperArrivedEvent, decodeGripperArrivedEvent>},
+     .stamp = suture::codec::stampIn<wire::GripperEvents::ArrivedParams>,
+     .payload = suture::codec::messageOf<wire::GripperEvents::ArrivedParams, PoseStampedSlot,
+                                         encodeGripperArrivedEvent, decodeGripperArrivedEvent>},
     {.method = 4,
-     .stamp = suture::rpc::stampIn<wire::GripperEvents::MovedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperEvents::MovedParams, ArmMovedPayload,
-                                       encodeGripperMovedEvent, decodeGripperMovedEvent>},
+     .stamp = suture::codec::stampIn<wire::GripperEvents::MovedParams>,
+     .payload = suture::codec::messageOf<wire::GripperEvents::MovedParams, ArmMovedPayload,
+                                         encodeGripperMovedEvent, decodeGripperMovedEvent>},
     {.method = 5,
-     .stamp = suture::rpc::stampIn<wire::GripperEvents::GrippedParams>,
-     .payload = suture::rpc::messageOf<wire::GripperEvents::GrippedParams, GripperGrippedPayload,
-                                       encodeGripperGrippedEvent, decodeGripperGrippedEvent>},
+     .stamp = suture::codec::stampIn<wire::GripperEvents::GrippedParams>,
+     .payload = suture::codec::messageOf<wire::GripperEvents::GrippedParams, GripperGrippedPayload,
+                                         encodeGripperGrippedEvent, decodeGripperGrippedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& gripperCodec() {
+const suture::codec::Codec& gripperCodec() {
   static const auto kCommands = suture::extended<14>(
       suture::interfaceInfo<robots::Arm>().codec().commands, kGripperCommandCodecs);
-  static const suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Gripper>,
+  static const suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Gripper>,
       .contract = capnp::typeId<wire::Gripper>(),
       .subscriber = capnp::typeId<wire::GripperEvents>(),
       .commands = kCommands,
       .events = kGripperEventCodecs,
-      .row = suture::rpc::rowOf<wire::GripperEvents::StateParams, wire::GripperStateRow,
-                                encodeGripperColumn, decodeGripperColumn>,
+      .row = suture::codec::rowOf<wire::GripperEvents::StateParams, wire::GripperStateRow,
+                                  encodeGripperColumn, decodeGripperColumn>,
   };
   return kCodec;
 }
@@ -320,45 +320,45 @@ suture::Errc decodeNamesColumn(wire::NamesStateRow::Reader in, unsigned column, 
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kNamesCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kNamesCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Names>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Names::QueueParams>,
-     .arguments = suture::rpc::messageOf<wire::Names::QueueParams, NamesQueueArguments,
-                                         encodeNamesQueue, decodeNamesQueue>},
+     .sent = suture::codec::sentIn<wire::Names::QueueParams>,
+     .arguments = suture::codec::messageOf<wire::Names::QueueParams, NamesQueueArguments,
+                                           encodeNamesQueue, decodeNamesQueue>},
     {.interface = capnp::typeId<wire::Names>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Names::TitleParams>,
-     .arguments = suture::rpc::messageOf<wire::Names::TitleParams, NamesNameArguments,
-                                         encodeNamesTitle, decodeNamesTitle>,
-     .result = suture::rpc::messageOf<wire::Names::TitleResults, std::uint8_t,
-                                      encodeNamesTitleResult, decodeNamesTitleResult>},
+     .sent = suture::codec::sentIn<wire::Names::TitleParams>,
+     .arguments = suture::codec::messageOf<wire::Names::TitleParams, NamesNameArguments,
+                                           encodeNamesTitle, decodeNamesTitle>,
+     .result = suture::codec::messageOf<wire::Names::TitleResults, std::uint8_t,
+                                        encodeNamesTitleResult, decodeNamesTitleResult>},
     {.interface = capnp::typeId<wire::Names>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Names::RangeParams>,
-     .result = suture::rpc::messageOf<wire::Names::RangeResults, double, encodeNamesRangeResult,
-                                      decodeNamesRangeResult>,
-     .stamp = suture::rpc::stampIn<wire::Names::RangeResults>},
+     .sent = suture::codec::sentIn<wire::Names::RangeParams>,
+     .result = suture::codec::messageOf<wire::Names::RangeResults, double, encodeNamesRangeResult,
+                                        decodeNamesRangeResult>,
+     .stamp = suture::codec::stampIn<wire::Names::RangeResults>},
 };
 
-constexpr suture::rpc::EventCodec kNamesEventCodecs[] = {
+constexpr suture::codec::EventCodec kNamesEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::NamesEvents::LatchedParams>,
-     .payload = suture::rpc::messageOf<wire::NamesEvents::LatchedParams, double,
-                                       encodeNamesLatchedEvent, decodeNamesLatchedEvent>},
+     .stamp = suture::codec::stampIn<wire::NamesEvents::LatchedParams>,
+     .payload = suture::codec::messageOf<wire::NamesEvents::LatchedParams, double,
+                                         encodeNamesLatchedEvent, decodeNamesLatchedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& namesCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Names>,
+const suture::codec::Codec& namesCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Names>,
       .contract = capnp::typeId<wire::Names>(),
       .subscriber = capnp::typeId<wire::NamesEvents>(),
       .commands = kNamesCommandCodecs,
       .events = kNamesEventCodecs,
-      .row = suture::rpc::rowOf<wire::NamesEvents::StateParams, wire::NamesStateRow,
-                                encodeNamesColumn, decodeNamesColumn>,
+      .row = suture::codec::rowOf<wire::NamesEvents::StateParams, wire::NamesStateRow,
+                                  encodeNamesColumn, decodeNamesColumn>,
   };
   return kCodec;
 }

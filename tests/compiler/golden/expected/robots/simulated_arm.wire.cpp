@@ -1,6 +1,6 @@
 // Written by suturec from robots/simulated_arm.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "robots/simulated_arm.capnp.h"
 #include "robots/simulated_arm.suture.h"
@@ -13,8 +13,8 @@ suture::Errc fromWire(wire::Mode in, std::int8_t& slot);
 
 namespace robots {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -26,7 +26,7 @@ void toWire(const ArmParametersSlot& slot, wire::ArmParameters::Builder out) {
 
 suture::Errc fromWire(wire::ArmParameters::Reader in, ArmParametersSlot& slot, suture::Duration) {
   slot.rate = in.getRate();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getStart(), slot.start),
   });
@@ -38,12 +38,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const robots::ArmParameters& value) {
-  return rpc::encodeAs<robots::wire::ArmParameters, robots::ArmParametersSlot>(value);
+  return codec::encodeAs<robots::wire::ArmParameters, robots::ArmParametersSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::ArmParameters& value) {
-  return rpc::decodeAs<robots::wire::ArmParameters, robots::ArmParametersSlot>(bytes, value);
+  return codec::decodeAs<robots::wire::ArmParameters, robots::ArmParametersSlot>(bytes, value);
 }
 
 }  // namespace suture

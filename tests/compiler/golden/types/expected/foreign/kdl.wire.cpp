@@ -1,14 +1,14 @@
 // Written by suturec from foreign/kdl.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "foreign/kdl.capnp.h"
 #include "foreign/kdl.suture.h"
 
 namespace foreign {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -18,7 +18,7 @@ void toWire(const KDLVectorSlot& slot, wire::Vector::Builder out) {
 
 suture::Errc fromWire(wire::Vector::Reader in, KDLVectorSlot& slot, suture::Duration) {
   return in.getData().size() != 0 ? fromWire(in.getData(), slot.data)
-      : suture::rpc::fromDefault(KDL::Vector().data, slot.data);
+      : suture::codec::fromDefault(KDL::Vector().data, slot.data);
 }
 
 void toWire(const KDLRotationSlot& slot, wire::Rotation::Builder out) {
@@ -27,7 +27,7 @@ void toWire(const KDLRotationSlot& slot, wire::Rotation::Builder out) {
 
 suture::Errc fromWire(wire::Rotation::Reader in, KDLRotationSlot& slot, suture::Duration) {
   return in.getData().size() != 0 ? fromWire(in.getData(), slot.data)
-      : suture::rpc::fromDefault(KDL::Rotation().data, slot.data);
+      : suture::codec::fromDefault(KDL::Rotation().data, slot.data);
 }
 
 void toWire(const KDLFrameSlot& slot, wire::Frame::Builder out) {
@@ -36,7 +36,7 @@ void toWire(const KDLFrameSlot& slot, wire::Frame::Builder out) {
 }
 
 suture::Errc fromWire(wire::Frame::Reader in, KDLFrameSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getP(), slot.p, shift),
       fromWire(in.getM(), slot.M, shift),
   });
@@ -48,7 +48,7 @@ void toWire(const KDLTwistSlot& slot, wire::Twist::Builder out) {
 }
 
 suture::Errc fromWire(wire::Twist::Reader in, KDLTwistSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getVel(), slot.vel, shift),
       fromWire(in.getRot(), slot.rot, shift),
   });
@@ -60,7 +60,7 @@ void toWire(const KDLWrenchSlot& slot, wire::Wrench::Builder out) {
 }
 
 suture::Errc fromWire(wire::Wrench::Reader in, KDLWrenchSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getForce(), slot.force, shift),
       fromWire(in.getTorque(), slot.torque, shift),
   });
@@ -72,7 +72,7 @@ void toWire(const KDLJntArraySlot& slot, wire::Joints::Builder out) {
 
 suture::Errc fromWire(wire::Joints::Reader in, KDLJntArraySlot& slot, suture::Duration) {
   return in.hasData() ? fromWire(in.getData(), slot.data)
-      : suture::rpc::fromDefault(KDL::JntArray().data, slot.data);
+      : suture::codec::fromDefault(KDL::JntArray().data, slot.data);
 }
 
 void toWire(const MotionSlot& slot, wire::Motion::Builder out) {
@@ -83,7 +83,7 @@ void toWire(const MotionSlot& slot, wire::Motion::Builder out) {
 }
 
 suture::Errc fromWire(wire::Motion::Reader in, MotionSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getFrame(), slot.frame, shift),
       fromWire(in.getTwist(), slot.twist, shift),
       fromWire(in.getWrench(), slot.wrench, shift),
@@ -97,72 +97,72 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const KDL::Vector& value) {
-  return rpc::encodeAs<foreign::wire::Vector, foreign::KDLVectorSlot>(value);
+  return codec::encodeAs<foreign::wire::Vector, foreign::KDLVectorSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, KDL::Vector& value) {
-  return rpc::decodeAs<foreign::wire::Vector, foreign::KDLVectorSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Vector, foreign::KDLVectorSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const KDL::Rotation& value) {
-  return rpc::encodeAs<foreign::wire::Rotation, foreign::KDLRotationSlot>(value);
+  return codec::encodeAs<foreign::wire::Rotation, foreign::KDLRotationSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, KDL::Rotation& value) {
-  return rpc::decodeAs<foreign::wire::Rotation, foreign::KDLRotationSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Rotation, foreign::KDLRotationSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const KDL::Frame& value) {
-  return rpc::encodeAs<foreign::wire::Frame, foreign::KDLFrameSlot>(value);
+  return codec::encodeAs<foreign::wire::Frame, foreign::KDLFrameSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, KDL::Frame& value) {
-  return rpc::decodeAs<foreign::wire::Frame, foreign::KDLFrameSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Frame, foreign::KDLFrameSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const KDL::Twist& value) {
-  return rpc::encodeAs<foreign::wire::Twist, foreign::KDLTwistSlot>(value);
+  return codec::encodeAs<foreign::wire::Twist, foreign::KDLTwistSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, KDL::Twist& value) {
-  return rpc::decodeAs<foreign::wire::Twist, foreign::KDLTwistSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Twist, foreign::KDLTwistSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const KDL::Wrench& value) {
-  return rpc::encodeAs<foreign::wire::Wrench, foreign::KDLWrenchSlot>(value);
+  return codec::encodeAs<foreign::wire::Wrench, foreign::KDLWrenchSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, KDL::Wrench& value) {
-  return rpc::decodeAs<foreign::wire::Wrench, foreign::KDLWrenchSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Wrench, foreign::KDLWrenchSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const KDL::JntArray& value) {
-  return rpc::encodeAs<foreign::wire::Joints, foreign::KDLJntArraySlot>(value);
+  return codec::encodeAs<foreign::wire::Joints, foreign::KDLJntArraySlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, KDL::JntArray& value) {
-  return rpc::decodeAs<foreign::wire::Joints, foreign::KDLJntArraySlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Joints, foreign::KDLJntArraySlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const foreign::Motion& value) {
-  return rpc::encodeAs<foreign::wire::Motion, foreign::MotionSlot>(value);
+  return codec::encodeAs<foreign::wire::Motion, foreign::MotionSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, foreign::Motion& value) {
-  return rpc::decodeAs<foreign::wire::Motion, foreign::MotionSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Motion, foreign::MotionSlot>(bytes, value);
 }
 
 }  // namespace suture

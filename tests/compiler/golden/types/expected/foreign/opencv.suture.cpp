@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -88,7 +88,7 @@ bool isValid(const ViewSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in foreign/opencv.wire.cpp.
-const suture::rpc::Codec& cameraCodec();
+const suture::codec::Codec& cameraCodec();
 
 namespace {
 

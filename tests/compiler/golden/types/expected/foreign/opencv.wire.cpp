@@ -1,15 +1,15 @@
 // Written by suturec from foreign/opencv.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "foreign/opencv.capnp.h"
 #include "foreign/opencv.suture.h"
 
 namespace foreign {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -32,23 +32,24 @@ void toWire(const cvMatx33dSlot& slot, wire::Matx33d::Builder out) {
 
 suture::Errc fromWire(wire::Matx33d::Reader in, cvMatx33dSlot& slot, suture::Duration) {
   return in.getVal().size() != 0 ? fromWire(in.getVal(), slot.val)
-      : suture::rpc::fromDefault(cv::Matx33d().val, slot.val);
+      : suture::codec::fromDefault(cv::Matx33d().val, slot.val);
 }
 
 void toWire(const ViewSlot& slot, wire::View::Builder out) {
   toWire(slot.intrinsics, out.initIntrinsics());
-  suture::rpc::toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
-                          [](const cvPoint3dSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
+                            [](const cvPoint3dSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
 }
 
 suture::Errc fromWire(wire::View::Reader in, ViewSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getIntrinsics(), slot.intrinsics, shift),
-      suture::rpc::fromWireList(in.getPoints(), slot.points, [&](auto item, cvPoint3dSlot& target) {
-        return fromWire(item, target, shift);
-      }),
+      suture::codec::fromWireList(in.getPoints(), slot.points,
+                                  [&](auto item, cvPoint3dSlot& target) {
+                                    return fromWire(item, target, shift);
+                                  }),
   });
 }
 
@@ -96,31 +97,31 @@ suture::Errc decodeCameraColumn(wire::CameraStateRow::Reader in, unsigned column
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kCameraCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kCameraCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Camera>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Camera::AimParams>,
-     .arguments = suture::rpc::messageOf<wire::Camera::AimParams, CameraAimArguments,
-                                         encodeCameraAim, decodeCameraAim>},
+     .sent = suture::codec::sentIn<wire::Camera::AimParams>,
+     .arguments = suture::codec::messageOf<wire::Camera::AimParams, CameraAimArguments,
+                                           encodeCameraAim, decodeCameraAim>},
     {.interface = capnp::typeId<wire::Camera>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Camera::ViewParams>,
-     .result = suture::rpc::messageOf<wire::Camera::ViewResults, ViewSlot, encodeCameraViewResult,
-                                      decodeCameraViewResult>,
-     .stamp = suture::rpc::stampIn<wire::Camera::ViewResults>},
+     .sent = suture::codec::sentIn<wire::Camera::ViewParams>,
+     .result = suture::codec::messageOf<wire::Camera::ViewResults, ViewSlot, encodeCameraViewResult,
+                                        decodeCameraViewResult>,
+     .stamp = suture::codec::stampIn<wire::Camera::ViewResults>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& cameraCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Camera>,
+const suture::codec::Codec& cameraCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Camera>,
       .contract = capnp::typeId<wire::Camera>(),
       .subscriber = capnp::typeId<wire::CameraEvents>(),
       .commands = kCameraCommandCodecs,
       .events = {},
-      .row = suture::rpc::rowOf<wire::CameraEvents::StateParams, wire::CameraStateRow,
-                                encodeCameraColumn, decodeCameraColumn>,
+      .row = suture::codec::rowOf<wire::CameraEvents::StateParams, wire::CameraStateRow,
+                                  encodeCameraColumn, decodeCameraColumn>,
   };
   return kCodec;
 }
@@ -131,32 +132,32 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const cv::Point3d& value) {
-  return rpc::encodeAs<foreign::wire::Point3d, foreign::cvPoint3dSlot>(value);
+  return codec::encodeAs<foreign::wire::Point3d, foreign::cvPoint3dSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, cv::Point3d& value) {
-  return rpc::decodeAs<foreign::wire::Point3d, foreign::cvPoint3dSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Point3d, foreign::cvPoint3dSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const cv::Matx33d& value) {
-  return rpc::encodeAs<foreign::wire::Matx33d, foreign::cvMatx33dSlot>(value);
+  return codec::encodeAs<foreign::wire::Matx33d, foreign::cvMatx33dSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, cv::Matx33d& value) {
-  return rpc::decodeAs<foreign::wire::Matx33d, foreign::cvMatx33dSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Matx33d, foreign::cvMatx33dSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const foreign::View& value) {
-  return rpc::encodeAs<foreign::wire::View, foreign::ViewSlot>(value);
+  return codec::encodeAs<foreign::wire::View, foreign::ViewSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, foreign::View& value) {
-  return rpc::decodeAs<foreign::wire::View, foreign::ViewSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::View, foreign::ViewSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,14 +1,14 @@
 // Written by suturec from foreign/ros.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "foreign/ros.capnp.h"
 #include "foreign/ros.suture.h"
 
 namespace foreign {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -31,11 +31,11 @@ void toWire(const HeaderSlot& slot, wire::Header::Builder out) {
 
 suture::Errc fromWire(wire::Header::Reader in, HeaderSlot& slot, suture::Duration shift) {
   slot.seq = in.getSeq();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasStamp() ? fromWire(in.getStamp(), slot.stamp, shift)
-          : suture::rpc::fromDefault(Header().stamp, slot.stamp),
+          : suture::codec::fromDefault(Header().stamp, slot.stamp),
       in.hasFrameId() ? fromWire(in.getFrameId(), slot.frame_id)
-          : suture::rpc::fromDefault(Header().frame_id, slot.frame_id),
+          : suture::codec::fromDefault(Header().frame_id, slot.frame_id),
   });
 }
 
@@ -73,11 +73,11 @@ void toWire(const PoseSlot& slot, wire::Pose::Builder out) {
 }
 
 suture::Errc fromWire(wire::Pose::Reader in, PoseSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasPosition() ? fromWire(in.getPosition(), slot.position, shift)
-          : suture::rpc::fromDefault(Pose().position, slot.position),
+          : suture::codec::fromDefault(Pose().position, slot.position),
       in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation, shift)
-          : suture::rpc::fromDefault(Pose().orientation, slot.orientation),
+          : suture::codec::fromDefault(Pose().orientation, slot.orientation),
   });
 }
 
@@ -87,11 +87,11 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
 }
 
 suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift)
-          : suture::rpc::fromDefault(PoseStamped().header, slot.header),
+          : suture::codec::fromDefault(PoseStamped().header, slot.header),
       in.hasPose() ? fromWire(in.getPose(), slot.pose, shift)
-          : suture::rpc::fromDefault(PoseStamped().pose, slot.pose),
+          : suture::codec::fromDefault(PoseStamped().pose, slot.pose),
   });
 }
 
@@ -104,17 +104,17 @@ void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
 }
 
 suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift)
-          : suture::rpc::fromDefault(JointState().header, slot.header),
+          : suture::codec::fromDefault(JointState().header, slot.header),
       in.hasName() ? fromWire(in.getName(), slot.name)
-          : suture::rpc::fromDefault(JointState().name, slot.name),
+          : suture::codec::fromDefault(JointState().name, slot.name),
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : suture::rpc::fromDefault(JointState().position, slot.position),
+          : suture::codec::fromDefault(JointState().position, slot.position),
       in.hasVelocity() ? fromWire(in.getVelocity(), slot.velocity)
-          : suture::rpc::fromDefault(JointState().velocity, slot.velocity),
+          : suture::codec::fromDefault(JointState().velocity, slot.velocity),
       in.hasEffort() ? fromWire(in.getEffort(), slot.effort)
-          : suture::rpc::fromDefault(JointState().effort, slot.effort),
+          : suture::codec::fromDefault(JointState().effort, slot.effort),
   });
 }
 
@@ -124,72 +124,72 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const ros::Time& value) {
-  return rpc::encodeAs<foreign::wire::Time, foreign::rosTimeSlot>(value);
+  return codec::encodeAs<foreign::wire::Time, foreign::rosTimeSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, ros::Time& value) {
-  return rpc::decodeAs<foreign::wire::Time, foreign::rosTimeSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Time, foreign::rosTimeSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const foreign::Header& value) {
-  return rpc::encodeAs<foreign::wire::Header, foreign::HeaderSlot>(value);
+  return codec::encodeAs<foreign::wire::Header, foreign::HeaderSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, foreign::Header& value) {
-  return rpc::decodeAs<foreign::wire::Header, foreign::HeaderSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Header, foreign::HeaderSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const foreign::Point& value) {
-  return rpc::encodeAs<foreign::wire::Point, foreign::PointSlot>(value);
+  return codec::encodeAs<foreign::wire::Point, foreign::PointSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, foreign::Point& value) {
-  return rpc::decodeAs<foreign::wire::Point, foreign::PointSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Point, foreign::PointSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const foreign::Quaternion& value) {
-  return rpc::encodeAs<foreign::wire::Quaternion, foreign::QuaternionSlot>(value);
+  return codec::encodeAs<foreign::wire::Quaternion, foreign::QuaternionSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, foreign::Quaternion& value) {
-  return rpc::decodeAs<foreign::wire::Quaternion, foreign::QuaternionSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Quaternion, foreign::QuaternionSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const foreign::Pose& value) {
-  return rpc::encodeAs<foreign::wire::Pose, foreign::PoseSlot>(value);
+  return codec::encodeAs<foreign::wire::Pose, foreign::PoseSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, foreign::Pose& value) {
-  return rpc::decodeAs<foreign::wire::Pose, foreign::PoseSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::Pose, foreign::PoseSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const foreign::PoseStamped& value) {
-  return rpc::encodeAs<foreign::wire::PoseStamped, foreign::PoseStampedSlot>(value);
+  return codec::encodeAs<foreign::wire::PoseStamped, foreign::PoseStampedSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, foreign::PoseStamped& value) {
-  return rpc::decodeAs<foreign::wire::PoseStamped, foreign::PoseStampedSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::PoseStamped, foreign::PoseStampedSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const foreign::JointState& value) {
-  return rpc::encodeAs<foreign::wire::JointState, foreign::JointStateSlot>(value);
+  return codec::encodeAs<foreign::wire::JointState, foreign::JointStateSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, foreign::JointState& value) {
-  return rpc::decodeAs<foreign::wire::JointState, foreign::JointStateSlot>(bytes, value);
+  return codec::decodeAs<foreign::wire::JointState, foreign::JointStateSlot>(bytes, value);
 }
 
 }  // namespace suture

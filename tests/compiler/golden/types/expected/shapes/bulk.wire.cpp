@@ -1,14 +1,14 @@
 // Written by suturec from shapes/bulk.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "shapes/bulk.capnp.h"
 #include "shapes/bulk.suture.h"
 
 namespace shapes {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -22,13 +22,13 @@ void toWire(const BulkSlot& slot, wire::Bulk::Builder out) {
 }
 
 suture::Errc fromWire(wire::Bulk::Reader in, BulkSlot& slot, suture::Duration) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getSamples(), slot.samples),
       fromWire(in.getTriple(), slot.triple),
       fromWire(in.getBytes(), slot.bytes),
       fromWire(in.getLine(), slot.line),
       in.getJacobian().size() != 0 ? fromWire(in.getJacobian(), slot.jacobian)
-          : suture::rpc::fromDefault(Bulk().jacobian, slot.jacobian),
+          : suture::codec::fromDefault(Bulk().jacobian, slot.jacobian),
       fromWire(in.getImage(), slot.image),
   });
 }
@@ -39,12 +39,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Bulk& value) {
-  return rpc::encodeAs<shapes::wire::Bulk, shapes::BulkSlot>(value);
+  return codec::encodeAs<shapes::wire::Bulk, shapes::BulkSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Bulk& value) {
-  return rpc::decodeAs<shapes::wire::Bulk, shapes::BulkSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Bulk, shapes::BulkSlot>(bytes, value);
 }
 
 }  // namespace suture

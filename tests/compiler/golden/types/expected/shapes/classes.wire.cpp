@@ -1,6 +1,6 @@
 // Written by suturec from shapes/classes.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "shapes/classes.capnp.h"
 #include "shapes/classes.suture.h"
@@ -15,8 +15,8 @@ suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration 
 
 namespace shapes {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -49,7 +49,7 @@ void toWire(const ToolSlot& slot, wire::Tool::Builder out) {
 }
 
 suture::Errc fromWire(wire::Tool::Reader in, ToolSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getBase(), slot.base, shift),
       fromWire(in.getBasePoint(), slot.basePoint, shift),
       fromWire(in.getLast(), slot.last, shift),
@@ -91,19 +91,20 @@ static suture::Errc fromWire(wire::ShapesClassesOptionalTree::Reader in,
 
 void toWire(const TreeSlot& slot, wire::Tree::Builder out) {
   out.setValue(slot.value);
-  suture::rpc::toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
-                          [](const TreeSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
+                            [](const TreeSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   toWire(slot.shadow, out.initShadow());
 }
 
 suture::Errc fromWire(wire::Tree::Reader in, TreeSlot& slot, suture::Duration shift) {
   slot.value = in.getValue();
-  return suture::rpc::firstError({
-      suture::rpc::fromWireList(in.getChildren(), slot.children, [&](auto item, TreeSlot& target) {
-        return fromWire(item, target, shift);
-      }),
+  return suture::codec::firstError({
+      suture::codec::fromWireList(in.getChildren(), slot.children,
+                                  [&](auto item, TreeSlot& target) {
+                                    return fromWire(item, target, shift);
+                                  }),
       fromWire(in.getShadow(), slot.shadow, shift),
   });
 }
@@ -113,19 +114,19 @@ void toWire(const ClassesSlot& slot, wire::Classes::Builder out) {
   toWire(slot.level, out.initLevel());
   toWire(slot.counter, out.initCounter());
   toWire(slot.polar, out.initPolar());
-  suture::rpc::toWireList(slot.spiral, out.initSpiral(sizeOf(slot.spiral)),
-                          [](const PointSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.spiral, out.initSpiral(sizeOf(slot.spiral)),
+                            [](const PointSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
 }
 
 suture::Errc fromWire(wire::Classes::Reader in, ClassesSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getTool(), slot.tool, shift),
       fromWire(in.getLevel(), slot.level, shift),
       fromWire(in.getCounter(), slot.counter, shift),
       fromWire(in.getPolar(), slot.polar, shift),
-      suture::rpc::fromWireList(in.getSpiral(), slot.spiral, [&](auto item, PointSlot& target) {
+      suture::codec::fromWireList(in.getSpiral(), slot.spiral, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),
   });
@@ -137,72 +138,72 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Named& value) {
-  return rpc::encodeAs<shapes::wire::Named, shapes::NamedSlot>(value);
+  return codec::encodeAs<shapes::wire::Named, shapes::NamedSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Named& value) {
-  return rpc::decodeAs<shapes::wire::Named, shapes::NamedSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Named, shapes::NamedSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::StampedPoint& value) {
-  return rpc::encodeAs<shapes::wire::StampedPoint, shapes::StampedPointSlot>(value);
+  return codec::encodeAs<shapes::wire::StampedPoint, shapes::StampedPointSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::StampedPoint& value) {
-  return rpc::decodeAs<shapes::wire::StampedPoint, shapes::StampedPointSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::StampedPoint, shapes::StampedPointSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Tool& value) {
-  return rpc::encodeAs<shapes::wire::Tool, shapes::ToolSlot>(value);
+  return codec::encodeAs<shapes::wire::Tool, shapes::ToolSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Tool& value) {
-  return rpc::decodeAs<shapes::wire::Tool, shapes::ToolSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Tool, shapes::ToolSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::StampedLevel& value) {
-  return rpc::encodeAs<shapes::wire::StampedLevel, shapes::StampedLevelSlot>(value);
+  return codec::encodeAs<shapes::wire::StampedLevel, shapes::StampedLevelSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::StampedLevel& value) {
-  return rpc::decodeAs<shapes::wire::StampedLevel, shapes::StampedLevelSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::StampedLevel, shapes::StampedLevelSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Counter& value) {
-  return rpc::encodeAs<shapes::wire::Counter, shapes::CounterSlot>(value);
+  return codec::encodeAs<shapes::wire::Counter, shapes::CounterSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Counter& value) {
-  return rpc::decodeAs<shapes::wire::Counter, shapes::CounterSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Counter, shapes::CounterSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Tree& value) {
-  return rpc::encodeAs<shapes::wire::Tree, shapes::TreeSlot>(value);
+  return codec::encodeAs<shapes::wire::Tree, shapes::TreeSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Tree& value) {
-  return rpc::decodeAs<shapes::wire::Tree, shapes::TreeSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Tree, shapes::TreeSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Classes& value) {
-  return rpc::encodeAs<shapes::wire::Classes, shapes::ClassesSlot>(value);
+  return codec::encodeAs<shapes::wire::Classes, shapes::ClassesSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Classes& value) {
-  return rpc::decodeAs<shapes::wire::Classes, shapes::ClassesSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Classes, shapes::ClassesSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -306,7 +306,7 @@ bool isValid(const MatricesSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in shapes/containers.wire.cpp.
-const suture::rpc::Codec& storeCodec();
+const suture::codec::Codec& storeCodec();
 
 namespace {
 

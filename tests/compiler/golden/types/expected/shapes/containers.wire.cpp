@@ -1,15 +1,15 @@
 // Written by suturec from shapes/containers.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "shapes/containers.capnp.h"
 #include "shapes/containers.suture.h"
 
 namespace shapes {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -78,7 +78,7 @@ static void toWire(const suture::SlotEntry<suture::BoundedText<4>, suture::Bound
 static suture::Errc fromWire(wire::ShapesContainersEntryOfTextToListOfFloat32::Reader in,
                              suture::SlotEntry<suture::BoundedText<4>, suture::BoundedList<float, 3>>& slot,
                              suture::Duration) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getKey(), slot.key),
       fromWire(in.getValue(), slot.value),
   });
@@ -100,83 +100,83 @@ void toWire(const SequencesSlot& slot, wire::Sequences::Builder out) {
   toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
   out.setOne(slot.one);
   toWire(slot.row, out.initRow(3));
-  suture::rpc::toWireList(slot.grid, out.initGrid(2),
-                          [](const std::array<std::int32_t, 3>& element, auto list, std::uint32_t i) {
-                            toWire(element, list.init(i, 3));
-                          });
-  suture::rpc::toWireList(slot.corners, out.initCorners(2),
-                          [](const PointSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  suture::rpc::toWireList(slot.path, out.initPath(sizeOf(slot.path)),
-                          [](const PointSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.grid, out.initGrid(2),
+                            [](const std::array<std::int32_t, 3>& element, auto list, std::uint32_t i) {
+                              toWire(element, list.init(i, 3));
+                            });
+  suture::codec::toWireList(slot.corners, out.initCorners(2),
+                            [](const PointSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
+  suture::codec::toWireList(slot.path, out.initPath(sizeOf(slot.path)),
+                            [](const PointSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   toWire(slot.bits, out.initBits(sizeOf(slot.bits)));
   toWire(slot.flags, out.initFlags(sizeOf(slot.flags)));
   toWire(slot.numbers, out.initNumbers(sizeOf(slot.numbers)));
   toWire(slot.words, out.initWords(sizeOf(slot.words)));
-  suture::rpc::toWireList(slot.levels, out.initLevels(sizeOf(slot.levels)),
-                          [](const std::int16_t& element, auto list, std::uint32_t i) {
-                            list.set(i, wireLevel(element));
-                          });
-  suture::rpc::toWireList(slot.gains, out.initGains(sizeOf(slot.gains)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  suture::rpc::toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  suture::rpc::toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  suture::rpc::toWireList(slot.shares, out.initShares(sizeOf(slot.shares)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.levels, out.initLevels(sizeOf(slot.levels)),
+                            [](const std::int16_t& element, auto list, std::uint32_t i) {
+                              list.set(i, wireLevel(element));
+                            });
+  suture::codec::toWireList(slot.gains, out.initGains(sizeOf(slot.gains)),
+                            [](const auto& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
+  suture::codec::toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
+                            [](const auto& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
+  suture::codec::toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
+                            [](const auto& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
+  suture::codec::toWireList(slot.shares, out.initShares(sizeOf(slot.shares)),
+                            [](const auto& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
 }
 
 suture::Errc fromWire(wire::Sequences::Reader in, SequencesSlot& slot, suture::Duration shift) {
   slot.one = in.getOne();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getBytes(), slot.bytes),
       fromWire(in.getRow(), slot.row),
-      suture::rpc::fromWireList(in.getGrid(), slot.grid,
-                                [](auto item, std::array<std::int32_t, 3>& target) {
-                                  return fromWire(item, target);
-                                }),
-      suture::rpc::fromWireList(in.getCorners(), slot.corners, [&](auto item, PointSlot& target) {
+      suture::codec::fromWireList(in.getGrid(), slot.grid,
+                                  [](auto item, std::array<std::int32_t, 3>& target) {
+                                    return fromWire(item, target);
+                                  }),
+      suture::codec::fromWireList(in.getCorners(), slot.corners, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),
-      suture::rpc::fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
+      suture::codec::fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getBits(), slot.bits),
       fromWire(in.getFlags(), slot.flags),
-      suture::rpc::fromWireDistinct(in.getNumbers(), slot.numbers,
-                                    [](auto item, std::int32_t& target) {
-                                      return target = item, suture::Errc{};
-                                    }),
-      suture::rpc::fromWireDistinct(in.getWords(), slot.words,
-                                    [](auto item, suture::BoundedText<6>& target) {
-                                      return fromWire(item, target);
-                                    }),
-      suture::rpc::fromWireDistinct(in.getLevels(), slot.levels,
-                                    [](auto item, std::int16_t& target) {
-                                      return fromWire(item, target);
-                                    }),
-      suture::rpc::fromWireDistinct(in.getGains(), slot.gains, [&](auto item, auto& target) {
+      suture::codec::fromWireDistinct(in.getNumbers(), slot.numbers,
+                                      [](auto item, std::int32_t& target) {
+                                        return target = item, suture::Errc{};
+                                      }),
+      suture::codec::fromWireDistinct(in.getWords(), slot.words,
+                                      [](auto item, suture::BoundedText<6>& target) {
+                                        return fromWire(item, target);
+                                      }),
+      suture::codec::fromWireDistinct(in.getLevels(), slot.levels,
+                                      [](auto item, std::int16_t& target) {
+                                        return fromWire(item, target);
+                                      }),
+      suture::codec::fromWireDistinct(in.getGains(), slot.gains, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
-      suture::rpc::fromWireDistinct(in.getPoints(), slot.points, [&](auto item, auto& target) {
+      suture::codec::fromWireDistinct(in.getPoints(), slot.points, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
-      suture::rpc::fromWireDistinct(in.getSeries(), slot.series, [&](auto item, auto& target) {
+      suture::codec::fromWireDistinct(in.getSeries(), slot.series, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
-      suture::rpc::fromWireDistinct(in.getShares(), slot.shares, [&](auto item, auto& target) {
+      suture::codec::fromWireDistinct(in.getShares(), slot.shares, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
   });
@@ -243,10 +243,10 @@ static suture::Errc fromWire(wire::ShapesContainersOptionalPoint::Reader in,
 static void toWire(const suture::SlotOptional<suture::BoundedList<PointSlot, 2>>& slot,
                    wire::ShapesContainersOptionalListOfPoint::Builder out) {
   if (slot.present == 0) return out.setNone();
-  suture::rpc::toWireList(slot.value, out.initSome(sizeOf(slot.value)),
-                          [](const PointSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.value, out.initSome(sizeOf(slot.value)),
+                            [](const PointSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
 }
 
 static suture::Errc fromWire(wire::ShapesContainersOptionalListOfPoint::Reader in,
@@ -255,7 +255,7 @@ static suture::Errc fromWire(wire::ShapesContainersOptionalListOfPoint::Reader i
   if (in.isNone()) return slot.present = 0, suture::Errc{};
   if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
-  return suture::rpc::fromWireList(in.getSome(), slot.value, [&](auto item, PointSlot& target) {
+  return suture::codec::fromWireList(in.getSome(), slot.value, [&](auto item, PointSlot& target) {
     return fromWire(item, target, shift);
   });
 }
@@ -328,7 +328,7 @@ static suture::Errc fromWire(wire::ShapesContainersTupleOfBoolAndTextAndPoint::R
                              suture::SlotTuple<std::uint8_t, suture::BoundedText<4>, PointSlot>& slot,
                              suture::Duration shift) {
   suture::item<0>(slot) = in.getItem0();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getItem1(), suture::item<1>(slot)),
       fromWire(in.getItem2(), suture::item<2>(slot), shift),
   });
@@ -412,10 +412,10 @@ void toWire(const ChoicesSlot& slot, wire::Choices::Builder out) {
   toWire(slot.target, out.initTarget());
   toWire(slot.polygon, out.initPolygon());
   toWire(slot.twice, out.initTwice());
-  suture::rpc::toWireList(slot.seen, out.initSeen(sizeOf(slot.seen)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.seen, out.initSeen(sizeOf(slot.seen)),
+                            [](const auto& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   toWire(slot.entry, out.initEntry());
   toWire(slot.triple, out.initTriple());
   toWire(slot.either, out.initEither());
@@ -425,7 +425,7 @@ void toWire(const ChoicesSlot& slot, wire::Choices::Builder out) {
 }
 
 suture::Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getGain(), slot.gain, shift),
       fromWire(in.getShare(), slot.share, shift),
       fromWire(in.getAnswer(), slot.answer, shift),
@@ -433,7 +433,7 @@ suture::Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, suture::Durat
       fromWire(in.getTarget(), slot.target, shift),
       fromWire(in.getPolygon(), slot.polygon, shift),
       fromWire(in.getTwice(), slot.twice, shift),
-      suture::rpc::fromWireList(in.getSeen(), slot.seen, [&](auto item, auto& target) {
+      suture::codec::fromWireList(in.getSeen(), slot.seen, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getEntry(), slot.entry, shift),
@@ -450,30 +450,30 @@ void toWire(const MatricesSlot& slot, wire::Matrices::Builder out) {
   toWire(slot.row, out.initRow(sizeOf(slot.row)));
   toWire(slot.any, out.initAny());
   toWire(slot.counts, out.initCounts());
-  suture::rpc::toWireFlat(slot.columns, out.initColumns(sizeOf(slot.columns) * 3));
+  suture::codec::toWireFlat(slot.columns, out.initColumns(sizeOf(slot.columns) * 3));
   toWire(slot.limited, out.initLimited(sizeOf(slot.limited)));
   toWire(slot.fixed, out.initFixed(20));
-  suture::rpc::toWireFlat(slot.cloud, out.initCloud(sizeOf(slot.cloud) * 3));
-  suture::rpc::toWireFlat(slot.wrenches, out.initWrenches(sizeOf(slot.wrenches) * 6));
+  suture::codec::toWireFlat(slot.cloud, out.initCloud(sizeOf(slot.cloud) * 3));
+  suture::codec::toWireFlat(slot.wrenches, out.initWrenches(sizeOf(slot.wrenches) * 6));
   toWire(slot.scaled, out.initScaled());
   out.setWait(slot.wait);
 }
 
 suture::Errc fromWire(wire::Matrices::Reader in, MatricesSlot& slot, suture::Duration) {
   slot.wait = in.getWait();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getJoints(), slot.joints),
       fromWire(in.getRow(), slot.row),
       fromWire(in.getAny(), slot.any),
       fromWire(in.getCounts(), slot.counts),
-      suture::rpc::fromWireFlat(in.getColumns(), slot.columns),
+      suture::codec::fromWireFlat(in.getColumns(), slot.columns),
       fromWire(in.getLimited(), slot.limited),
       in.getFixed().size() != 0 ? fromWire(in.getFixed(), slot.fixed)
-          : suture::rpc::fromDefault(Matrices().fixed, slot.fixed),
-      suture::rpc::fromWireFlat(in.getCloud(), slot.cloud),
-      suture::rpc::fromWireFlat(in.getWrenches(), slot.wrenches),
-      in.hasScaled() ? suture::rpc::fromWireAffine(in.getScaled(), slot.scaled)
-          : suture::rpc::fromDefault(Matrices().scaled, slot.scaled),
+          : suture::codec::fromDefault(Matrices().fixed, slot.fixed),
+      suture::codec::fromWireFlat(in.getCloud(), slot.cloud),
+      suture::codec::fromWireFlat(in.getWrenches(), slot.wrenches),
+      in.hasScaled() ? suture::codec::fromWireAffine(in.getScaled(), slot.scaled)
+          : suture::codec::fromDefault(Matrices().scaled, slot.scaled),
   });
 }
 
@@ -628,63 +628,63 @@ suture::Errc decodeStoreColumn(wire::StoreStateRow::Reader in, unsigned column, 
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kStoreCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kStoreCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Store>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Store::PutParams>,
-     .arguments = suture::rpc::messageOf<wire::Store::PutParams, StorePutArguments, encodeStorePut,
-                                         decodeStorePut>},
+     .sent = suture::codec::sentIn<wire::Store::PutParams>,
+     .arguments = suture::codec::messageOf<wire::Store::PutParams, StorePutArguments,
+                                           encodeStorePut, decodeStorePut>},
     {.interface = capnp::typeId<wire::Store>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Store::ChooseParams>,
-     .arguments = suture::rpc::messageOf<wire::Store::ChooseParams, StoreChooseArguments,
-                                         encodeStoreChoose, decodeStoreChoose>},
+     .sent = suture::codec::sentIn<wire::Store::ChooseParams>,
+     .arguments = suture::codec::messageOf<wire::Store::ChooseParams, StoreChooseArguments,
+                                           encodeStoreChoose, decodeStoreChoose>},
     {.interface = capnp::typeId<wire::Store>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Store::SequencesParams>,
-     .result = suture::rpc::messageOf<wire::Store::SequencesResults, SequencesSlot,
-                                      encodeStoreSequencesResult, decodeStoreSequencesResult>,
-     .stamp = suture::rpc::stampIn<wire::Store::SequencesResults>},
+     .sent = suture::codec::sentIn<wire::Store::SequencesParams>,
+     .result = suture::codec::messageOf<wire::Store::SequencesResults, SequencesSlot,
+                                        encodeStoreSequencesResult, decodeStoreSequencesResult>,
+     .stamp = suture::codec::stampIn<wire::Store::SequencesResults>},
     {.interface = capnp::typeId<wire::Store>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Store::ChoicesParams>,
-     .result = suture::rpc::messageOf<wire::Store::ChoicesResults, ChoicesSlot,
-                                      encodeStoreChoicesResult, decodeStoreChoicesResult>,
-     .stamp = suture::rpc::stampIn<wire::Store::ChoicesResults>},
+     .sent = suture::codec::sentIn<wire::Store::ChoicesParams>,
+     .result = suture::codec::messageOf<wire::Store::ChoicesResults, ChoicesSlot,
+                                        encodeStoreChoicesResult, decodeStoreChoicesResult>,
+     .stamp = suture::codec::stampIn<wire::Store::ChoicesResults>},
     {.interface = capnp::typeId<wire::Store>(),
      .method = 5,
-     .sent = suture::rpc::sentIn<wire::Store::MatricesParams>,
-     .result = suture::rpc::messageOf<wire::Store::MatricesResults, MatricesSlot,
-                                      encodeStoreMatricesResult, decodeStoreMatricesResult>,
-     .stamp = suture::rpc::stampIn<wire::Store::MatricesResults>},
+     .sent = suture::codec::sentIn<wire::Store::MatricesParams>,
+     .result = suture::codec::messageOf<wire::Store::MatricesResults, MatricesSlot,
+                                        encodeStoreMatricesResult, decodeStoreMatricesResult>,
+     .stamp = suture::codec::stampIn<wire::Store::MatricesResults>},
     {.interface = capnp::typeId<wire::Store>(),
      .method = 6,
-     .sent = suture::rpc::sentIn<wire::Store::ReadingParams>,
-     .result = suture::rpc::messageOf<wire::Store::ReadingResults,
-                                      suture::SlotTuple<double, std::int16_t>,
-                                      encodeStoreReadingResult, decodeStoreReadingResult>,
-     .stamp = suture::rpc::stampIn<wire::Store::ReadingResults>},
+     .sent = suture::codec::sentIn<wire::Store::ReadingParams>,
+     .result = suture::codec::messageOf<wire::Store::ReadingResults,
+                                        suture::SlotTuple<double, std::int16_t>,
+                                        encodeStoreReadingResult, decodeStoreReadingResult>,
+     .stamp = suture::codec::stampIn<wire::Store::ReadingResults>},
 };
 
-constexpr suture::rpc::EventCodec kStoreEventCodecs[] = {
+constexpr suture::codec::EventCodec kStoreEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::StoreEvents::ChangedParams>,
-     .payload = suture::rpc::messageOf<wire::StoreEvents::ChangedParams,
-                                       suture::SlotVariant<double, PointSlot>,
-                                       encodeStoreChangedEvent, decodeStoreChangedEvent>},
+     .stamp = suture::codec::stampIn<wire::StoreEvents::ChangedParams>,
+     .payload = suture::codec::messageOf<wire::StoreEvents::ChangedParams,
+                                         suture::SlotVariant<double, PointSlot>,
+                                         encodeStoreChangedEvent, decodeStoreChangedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& storeCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Store>,
+const suture::codec::Codec& storeCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Store>,
       .contract = capnp::typeId<wire::Store>(),
       .subscriber = capnp::typeId<wire::StoreEvents>(),
       .commands = kStoreCommandCodecs,
       .events = kStoreEventCodecs,
-      .row = suture::rpc::rowOf<wire::StoreEvents::StateParams, wire::StoreStateRow,
-                                encodeStoreColumn, decodeStoreColumn>,
+      .row = suture::codec::rowOf<wire::StoreEvents::StateParams, wire::StoreStateRow,
+                                  encodeStoreColumn, decodeStoreColumn>,
   };
   return kCodec;
 }
@@ -695,42 +695,42 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Point& value) {
-  return rpc::encodeAs<shapes::wire::Point, shapes::PointSlot>(value);
+  return codec::encodeAs<shapes::wire::Point, shapes::PointSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Point& value) {
-  return rpc::decodeAs<shapes::wire::Point, shapes::PointSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Point, shapes::PointSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Sequences& value) {
-  return rpc::encodeAs<shapes::wire::Sequences, shapes::SequencesSlot>(value);
+  return codec::encodeAs<shapes::wire::Sequences, shapes::SequencesSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Sequences& value) {
-  return rpc::decodeAs<shapes::wire::Sequences, shapes::SequencesSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Sequences, shapes::SequencesSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Choices& value) {
-  return rpc::encodeAs<shapes::wire::Choices, shapes::ChoicesSlot>(value);
+  return codec::encodeAs<shapes::wire::Choices, shapes::ChoicesSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Choices& value) {
-  return rpc::decodeAs<shapes::wire::Choices, shapes::ChoicesSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Choices, shapes::ChoicesSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Matrices& value) {
-  return rpc::encodeAs<shapes::wire::Matrices, shapes::MatricesSlot>(value);
+  return codec::encodeAs<shapes::wire::Matrices, shapes::MatricesSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Matrices& value) {
-  return rpc::decodeAs<shapes::wire::Matrices, shapes::MatricesSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Matrices, shapes::MatricesSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -1,14 +1,14 @@
 // Written by suturec from shapes/guest.h. Do not edit.
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "shapes/guest.capnp.h"
 #include "shapes/guest.suture.h"
 
 namespace shapes {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -29,12 +29,12 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const guest::Limits& value) {
-  return rpc::encodeAs<shapes::wire::Limits, shapes::guestLimitsSlot>(value);
+  return codec::encodeAs<shapes::wire::Limits, shapes::guestLimitsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, guest::Limits& value) {
-  return rpc::decodeAs<shapes::wire::Limits, shapes::guestLimitsSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Limits, shapes::guestLimitsSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -142,7 +142,7 @@ bool isValid(const LargeSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in shapes/large.wire.cpp.
-const suture::rpc::Codec& recorderCodec();
+const suture::codec::Codec& recorderCodec();
 
 namespace {
 

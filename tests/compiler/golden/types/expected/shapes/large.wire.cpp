@@ -1,15 +1,15 @@
 // Written by suturec from shapes/large.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "shapes/large.capnp.h"
 #include "shapes/large.suture.h"
 
 namespace shapes {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -50,7 +50,7 @@ static suture::Errc fromWire(wire::ShapesLargeTupleOfInt8AndTraceAndListOfInt64:
                              suture::SlotTuple<std::int8_t, TraceSlot, suture::BoundedList<std::int64_t, 40>>& slot,
                              suture::Duration shift) {
   suture::item<0>(slot) = in.getItem0();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getItem1(), suture::item<1>(slot), shift),
       fromWire(in.getItem2(), suture::item<2>(slot)),
   });
@@ -99,22 +99,22 @@ void toWire(const LargeSlot& slot, wire::Large::Builder out) {
   out.setFirst(slot.first);
   toWire(slot.text, out.initText(sizeOf(slot.text)));
   toWire(slot.name, out.initName(sizeOf(slot.name)));
-  suture::rpc::toWireList(slot.traces, out.initTraces(sizeOf(slot.traces)),
-                          [](const TraceSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.traces, out.initTraces(sizeOf(slot.traces)),
+                            [](const TraceSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   toWire(slot.image, out.initImage());
   toWire(slot.inner, out.initInner());
   toWire(slot.maybe, out.initMaybe());
   toWire(slot.both, out.initBoth());
-  suture::rpc::toWireList(slot.gains, out.initGains(sizeOf(slot.gains)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  suture::rpc::toWireList(slot.pair, out.initPair(2),
-                          [](const TraceSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.gains, out.initGains(sizeOf(slot.gains)),
+                            [](const auto& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
+  suture::codec::toWireList(slot.pair, out.initPair(2),
+                            [](const TraceSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   toWire(slot.choice, out.initChoice());
   out.setLast(slot.last);
 }
@@ -122,20 +122,20 @@ void toWire(const LargeSlot& slot, wire::Large::Builder out) {
 suture::Errc fromWire(wire::Large::Reader in, LargeSlot& slot, suture::Duration shift) {
   slot.first = in.getFirst();
   slot.last = in.getLast();
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getText(), slot.text),
       fromWire(in.getName(), slot.name),
-      suture::rpc::fromWireList(in.getTraces(), slot.traces, [&](auto item, TraceSlot& target) {
+      suture::codec::fromWireList(in.getTraces(), slot.traces, [&](auto item, TraceSlot& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getImage(), slot.image),
       fromWire(in.getInner(), slot.inner, shift),
       fromWire(in.getMaybe(), slot.maybe, shift),
       fromWire(in.getBoth(), slot.both, shift),
-      suture::rpc::fromWireDistinct(in.getGains(), slot.gains, [&](auto item, auto& target) {
+      suture::codec::fromWireDistinct(in.getGains(), slot.gains, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
-      suture::rpc::fromWireList(in.getPair(), slot.pair, [&](auto item, TraceSlot& target) {
+      suture::codec::fromWireList(in.getPair(), slot.pair, [&](auto item, TraceSlot& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getChoice(), slot.choice, shift),
@@ -153,7 +153,7 @@ void encodeRecorderKeep(const RecorderKeepArguments& slot,
 }
 suture::Errc decodeRecorderKeep(wire::Recorder::KeepParams::Reader in, RecorderKeepArguments& slot,
                                 suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getValues(), slot.values),
       in.hasRest() ? fromWire(in.getRest(), slot.rest, shift) : suture::Errc::Invalid,
   });
@@ -221,47 +221,47 @@ suture::Errc decodeRecorderColumn(wire::RecorderStateRow::Reader in, unsigned co
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kRecorderCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kRecorderCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Recorder>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Recorder::KeepParams>,
-     .arguments = suture::rpc::messageOf<wire::Recorder::KeepParams, RecorderKeepArguments,
-                                         encodeRecorderKeep, decodeRecorderKeep>},
+     .sent = suture::codec::sentIn<wire::Recorder::KeepParams>,
+     .arguments = suture::codec::messageOf<wire::Recorder::KeepParams, RecorderKeepArguments,
+                                           encodeRecorderKeep, decodeRecorderKeep>},
     {.interface = capnp::typeId<wire::Recorder>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Recorder::RenameParams>,
-     .arguments = suture::rpc::messageOf<wire::Recorder::RenameParams, RecorderRenameArguments,
-                                         encodeRecorderRename, decodeRecorderRename>},
+     .sent = suture::codec::sentIn<wire::Recorder::RenameParams>,
+     .arguments = suture::codec::messageOf<wire::Recorder::RenameParams, RecorderRenameArguments,
+                                           encodeRecorderRename, decodeRecorderRename>},
     {.interface = capnp::typeId<wire::Recorder>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Recorder::KeptParams>,
-     .result = suture::rpc::messageOf<wire::Recorder::KeptResults, LargeSlot,
-                                      encodeRecorderKeptResult, decodeRecorderKeptResult>,
-     .stamp = suture::rpc::stampIn<wire::Recorder::KeptResults>},
+     .sent = suture::codec::sentIn<wire::Recorder::KeptParams>,
+     .result = suture::codec::messageOf<wire::Recorder::KeptResults, LargeSlot,
+                                        encodeRecorderKeptResult, decodeRecorderKeptResult>,
+     .stamp = suture::codec::stampIn<wire::Recorder::KeptResults>},
 };
 
-constexpr suture::rpc::EventCodec kRecorderEventCodecs[] = {
+constexpr suture::codec::EventCodec kRecorderEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::RecorderEvents::HeardParams>,
-     .payload = suture::rpc::messageOf<wire::RecorderEvents::HeardParams, TraceSlot,
-                                       encodeRecorderHeardEvent, decodeRecorderHeardEvent>},
+     .stamp = suture::codec::stampIn<wire::RecorderEvents::HeardParams>,
+     .payload = suture::codec::messageOf<wire::RecorderEvents::HeardParams, TraceSlot,
+                                         encodeRecorderHeardEvent, decodeRecorderHeardEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::RecorderEvents::SaidParams>,
-     .payload = suture::rpc::messageOf<wire::RecorderEvents::SaidParams, RecorderSaidPayload,
-                                       encodeRecorderSaidEvent, decodeRecorderSaidEvent>},
+     .stamp = suture::codec::stampIn<wire::RecorderEvents::SaidParams>,
+     .payload = suture::codec::messageOf<wire::RecorderEvents::SaidParams, RecorderSaidPayload,
+                                         encodeRecorderSaidEvent, decodeRecorderSaidEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& recorderCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Recorder>,
+const suture::codec::Codec& recorderCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Recorder>,
       .contract = capnp::typeId<wire::Recorder>(),
       .subscriber = capnp::typeId<wire::RecorderEvents>(),
       .commands = kRecorderCommandCodecs,
       .events = kRecorderEventCodecs,
-      .row = suture::rpc::rowOf<wire::RecorderEvents::StateParams, wire::RecorderStateRow,
-                                encodeRecorderColumn, decodeRecorderColumn>,
+      .row = suture::codec::rowOf<wire::RecorderEvents::StateParams, wire::RecorderStateRow,
+                                  encodeRecorderColumn, decodeRecorderColumn>,
   };
   return kCodec;
 }
@@ -272,22 +272,22 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Trace& value) {
-  return rpc::encodeAs<shapes::wire::Trace, shapes::TraceSlot>(value);
+  return codec::encodeAs<shapes::wire::Trace, shapes::TraceSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Trace& value) {
-  return rpc::decodeAs<shapes::wire::Trace, shapes::TraceSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Trace, shapes::TraceSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Large& value) {
-  return rpc::encodeAs<shapes::wire::Large, shapes::LargeSlot>(value);
+  return codec::encodeAs<shapes::wire::Large, shapes::LargeSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Large& value) {
-  return rpc::decodeAs<shapes::wire::Large, shapes::LargeSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Large, shapes::LargeSlot>(bytes, value);
 }
 
 }  // namespace suture

@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <limits>
 #include <type_traits>
@@ -58,7 +58,7 @@ void load(const MomentSlot& slot, Moment& value) {
 }
 
 void shiftStamps(MomentSlot& slot, suture::Duration shift) {
-  slot.steady = suture::rpc::shifted(slot.steady, shift);
+  slot.steady = suture::codec::shifted(slot.steady, shift);
 }
 
 bool store(const Moments& value, MomentsSlot& slot) {
@@ -95,32 +95,32 @@ void reserve(const MomentsSlot*, Moments& value) {
 
 void shiftStamps(MomentsSlot& slot, suture::Duration shift) {
   for (auto& element : slot.pair) {
-    element = suture::rpc::shifted(element, shift);
+    element = suture::codec::shifted(element, shift);
   }
   for (auto& element : suture::elementsIn(slot.list)) {
-    element = suture::rpc::shifted(element, shift);
+    element = suture::codec::shifted(element, shift);
   }
   for (auto& element : suture::elementsIn(slot.moments)) {
     shiftStamps(element, shift);
   }
   for (auto& element : suture::elementsIn(slot.nested)) {
     for (auto& element2 : suture::elementsIn(element)) {
-      element2 = suture::rpc::shifted(element2, shift);
+      element2 = suture::codec::shifted(element2, shift);
     }
   }
   for (auto& element : suture::elementsIn(slot.byNumber)) {
-    element.value = suture::rpc::shifted(element.value, shift);
+    element.value = suture::codec::shifted(element.value, shift);
   }
   if (slot.perhaps.present != 0) {
-    slot.perhaps.value = suture::rpc::shifted(slot.perhaps.value, shift);
+    slot.perhaps.value = suture::codec::shifted(slot.perhaps.value, shift);
   }
   if (slot.moment.present != 0) {
     shiftStamps(slot.moment.value, shift);
   }
-  suture::item<1>(slot.entry) = suture::rpc::shifted(suture::item<1>(slot.entry), shift);
+  suture::item<1>(slot.entry) = suture::codec::shifted(suture::item<1>(slot.entry), shift);
   shiftStamps(suture::item<2>(slot.entry), shift);
   if (slot.either.index == 1) {
-    suture::alternative<1>(slot.either) = suture::rpc::shifted(suture::alternative<1>(slot.either), shift);
+    suture::alternative<1>(slot.either) = suture::codec::shifted(suture::alternative<1>(slot.either), shift);
   }
   if (slot.either.index == 2) {
     shiftStamps(suture::alternative<2>(slot.either), shift);
@@ -151,7 +151,7 @@ bool store(const std::chrono::steady_clock::time_point& from, const std::int64_t
 }
 
 void shiftStamps(JournalPutArguments& slot, suture::Duration shift) {
-  slot.from = suture::rpc::shifted(slot.from, shift);
+  slot.from = suture::codec::shifted(slot.from, shift);
 }
 
 bool store(const std::int64_t& number, JournalCountArguments& slot) {
@@ -206,7 +206,7 @@ bool isValid(const SpansSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in shapes/moments.wire.cpp.
-const suture::rpc::Codec& journalCodec();
+const suture::codec::Codec& journalCodec();
 
 namespace {
 
@@ -220,7 +220,7 @@ bool acceptsJournalChangedEvent(const JournalChangedPayload& slot, suture::Field
 }
 
 void shiftJournalLatestResult(std::int64_t& slot, suture::Duration shift) {
-  slot = suture::rpc::shifted(slot, shift);
+  slot = suture::codec::shifted(slot, shift);
 }
 
 void shiftJournalFindResult(suture::SlotOptional<MomentSlot>& slot, suture::Duration shift) {
@@ -262,7 +262,7 @@ constexpr suture::CommandInfo kJournalCommands[] = {
 };
 
 void shiftJournalAddedPayload(std::int64_t& slot, suture::Duration shift) {
-  slot = suture::rpc::shifted(slot, shift);
+  slot = suture::codec::shifted(slot, shift);
 }
 
 constexpr suture::EventInfo kJournalEvents[] = {

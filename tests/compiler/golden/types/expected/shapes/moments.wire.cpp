@@ -1,15 +1,15 @@
 // Written by suturec from shapes/moments.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "shapes/moments.capnp.h"
 #include "shapes/moments.suture.h"
 
 namespace shapes {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -20,7 +20,7 @@ void toWire(const MomentSlot& slot, wire::Moment::Builder out) {
 }
 
 suture::Errc fromWire(wire::Moment::Reader in, MomentSlot& slot, suture::Duration shift) {
-  slot.steady = suture::rpc::shifted(in.getSteady(), shift);
+  slot.steady = suture::codec::shifted(in.getSteady(), shift);
   slot.system = in.getSystem();
   slot.number = in.getNumber();
   return suture::Errc{};
@@ -36,7 +36,7 @@ static suture::Errc fromWire(wire::ShapesMomentsEntryOfInt32ToSteadyTime::Reader
                              suture::SlotEntry<std::int32_t, std::int64_t>& slot,
                              suture::Duration shift) {
   slot.key = in.getKey();
-  slot.value = suture::rpc::shifted(in.getValue(), shift);
+  slot.value = suture::codec::shifted(in.getValue(), shift);
   return suture::Errc{};
 }
 
@@ -51,7 +51,7 @@ static suture::Errc fromWire(wire::ShapesMomentsOptionalSteadyTime::Reader in,
   if (in.isNone()) return slot.present = 0, suture::Errc{};
   if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
-  slot.value = suture::rpc::shifted(in.getSome(), shift);
+  slot.value = suture::codec::shifted(in.getSome(), shift);
   return suture::Errc{};
 }
 
@@ -80,7 +80,7 @@ static suture::Errc fromWire(wire::ShapesMomentsTupleOfInt64AndSteadyTimeAndMome
                              suture::SlotTuple<std::int64_t, std::int64_t, MomentSlot>& slot,
                              suture::Duration shift) {
   suture::item<0>(slot) = in.getItem0();
-  suture::item<1>(slot) = suture::rpc::shifted(in.getItem1(), shift);
+  suture::item<1>(slot) = suture::codec::shifted(in.getItem1(), shift);
   return fromWire(in.getItem2(), suture::item<2>(slot), shift);
 }
 
@@ -101,7 +101,7 @@ static suture::Errc fromWire(wire::ShapesMomentsEitherOfInt64OrSteadyTimeOrMomen
   }
   if (in.isSteadyTime()) {
     slot.index = 1;
-    suture::alternative<1>(slot) = suture::rpc::shifted(in.getSteadyTime(), shift);
+    suture::alternative<1>(slot) = suture::codec::shifted(in.getSteadyTime(), shift);
     return suture::Errc{};
   }
   if (in.isMoment()) {
@@ -114,18 +114,18 @@ static suture::Errc fromWire(wire::ShapesMomentsEitherOfInt64OrSteadyTimeOrMomen
 void toWire(const MomentsSlot& slot, wire::Moments::Builder out) {
   toWire(slot.pair, out.initPair(2));
   toWire(slot.list, out.initList(sizeOf(slot.list)));
-  suture::rpc::toWireList(slot.moments, out.initMoments(sizeOf(slot.moments)),
-                          [](const MomentSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  suture::rpc::toWireList(slot.nested, out.initNested(sizeOf(slot.nested)),
-                          [](const suture::BoundedList<std::int64_t, 2>& element, auto list, std::uint32_t i) {
-                            toWire(element, list.init(i, sizeOf(element)));
-                          });
-  suture::rpc::toWireList(slot.byNumber, out.initByNumber(sizeOf(slot.byNumber)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.moments, out.initMoments(sizeOf(slot.moments)),
+                            [](const MomentSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
+  suture::codec::toWireList(slot.nested, out.initNested(sizeOf(slot.nested)),
+                            [](const suture::BoundedList<std::int64_t, 2>& element, auto list, std::uint32_t i) {
+                              toWire(element, list.init(i, sizeOf(element)));
+                            });
+  suture::codec::toWireList(slot.byNumber, out.initByNumber(sizeOf(slot.byNumber)),
+                            [](const auto& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   toWire(slot.perhaps, out.initPerhaps());
   toWire(slot.moment, out.initMoment());
   toWire(slot.entry, out.initEntry());
@@ -133,26 +133,28 @@ void toWire(const MomentsSlot& slot, wire::Moments::Builder out) {
 }
 
 suture::Errc fromWire(wire::Moments::Reader in, MomentsSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
-      suture::rpc::fromWireList(in.getPair(), slot.pair, [&](auto item, std::int64_t& target) {
-        return target = suture::rpc::shifted(item, shift), suture::Errc{};
+  return suture::codec::firstError({
+      suture::codec::fromWireList(in.getPair(), slot.pair, [&](auto item, std::int64_t& target) {
+        return target = suture::codec::shifted(item, shift), suture::Errc{};
       }),
-      suture::rpc::fromWireList(in.getList(), slot.list, [&](auto item, std::int64_t& target) {
-        return target = suture::rpc::shifted(item, shift), suture::Errc{};
+      suture::codec::fromWireList(in.getList(), slot.list, [&](auto item, std::int64_t& target) {
+        return target = suture::codec::shifted(item, shift), suture::Errc{};
       }),
-      suture::rpc::fromWireList(in.getMoments(), slot.moments, [&](auto item, MomentSlot& target) {
-        return fromWire(item, target, shift);
-      }),
-      suture::rpc::fromWireList(in.getNested(), slot.nested,
-                                [&](auto item, suture::BoundedList<std::int64_t, 2>& target) {
-                                  return suture::rpc::fromWireList(item, target,
-                                                                   [&](auto item2, std::int64_t& target2) {
-                                                                     return target2 = suture::rpc::shifted(item2, shift), suture::Errc{};
-                                                                   });
-                                }),
-      suture::rpc::fromWireDistinct(in.getByNumber(), slot.byNumber, [&](auto item, auto& target) {
-        return fromWire(item, target, shift);
-      }),
+      suture::codec::fromWireList(in.getMoments(), slot.moments,
+                                  [&](auto item, MomentSlot& target) {
+                                    return fromWire(item, target, shift);
+                                  }),
+      suture::codec::fromWireList(in.getNested(), slot.nested,
+                                  [&](auto item, suture::BoundedList<std::int64_t, 2>& target) {
+                                    return suture::codec::fromWireList(item, target,
+                                                                       [&](auto item2, std::int64_t& target2) {
+                                                                         return target2 = suture::codec::shifted(item2, shift), suture::Errc{};
+                                                                       });
+                                  }),
+      suture::codec::fromWireDistinct(in.getByNumber(), slot.byNumber,
+                                      [&](auto item, auto& target) {
+                                        return fromWire(item, target, shift);
+                                      }),
       fromWire(in.getPerhaps(), slot.perhaps, shift),
       fromWire(in.getMoment(), slot.moment, shift),
       fromWire(in.getEntry(), slot.entry, shift),
@@ -182,7 +184,7 @@ void encodeJournalPut(const JournalPutArguments& slot, wire::Journal::PutParams:
 }
 suture::Errc decodeJournalPut(wire::Journal::PutParams::Reader in, JournalPutArguments& slot,
                               suture::Duration shift) {
-  slot.from = suture::rpc::shifted(in.getFrom(), shift);
+  slot.from = suture::codec::shifted(in.getFrom(), shift);
   slot.number = in.getNumber();
   return suture::Errc{};
 }
@@ -203,7 +205,7 @@ void encodeJournalLatestResult(const std::int64_t& slot,
 }
 suture::Errc decodeJournalLatestResult(wire::Journal::LatestResults::Reader in, std::int64_t& slot,
                                        suture::Duration shift) {
-  slot = suture::rpc::shifted(in.getValue(), shift);
+  slot = suture::codec::shifted(in.getValue(), shift);
   return suture::Errc{};
 }
 
@@ -241,7 +243,7 @@ void encodeJournalAddedEvent(const std::int64_t& slot,
 }
 suture::Errc decodeJournalAddedEvent(wire::JournalEvents::AddedParams::Reader in,
                                      std::int64_t& slot, suture::Duration shift) {
-  slot = suture::rpc::shifted(in.getValue(), shift);
+  slot = suture::codec::shifted(in.getValue(), shift);
   return suture::Errc{};
 }
 
@@ -271,7 +273,7 @@ void encodeJournalLatestColumn(const std::int64_t& slot, wire::JournalStateRow::
 }
 suture::Errc decodeJournalLatestColumn(wire::JournalStateRow::Reader in, std::int64_t& slot,
                                        suture::Duration shift) {
-  slot = suture::rpc::shifted(in.getLatest(), shift);
+  slot = suture::codec::shifted(in.getLatest(), shift);
   return suture::Errc{};
 }
 
@@ -304,64 +306,65 @@ suture::Errc decodeJournalColumn(wire::JournalStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kJournalCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kJournalCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Journal>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Journal::PutParams>,
-     .arguments = suture::rpc::messageOf<wire::Journal::PutParams, JournalPutArguments,
-                                         encodeJournalPut, decodeJournalPut>},
+     .sent = suture::codec::sentIn<wire::Journal::PutParams>,
+     .arguments = suture::codec::messageOf<wire::Journal::PutParams, JournalPutArguments,
+                                           encodeJournalPut, decodeJournalPut>},
     {.interface = capnp::typeId<wire::Journal>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Journal::CountParams>,
-     .arguments = suture::rpc::messageOf<wire::Journal::CountParams, JournalCountArguments,
-                                         encodeJournalCount, decodeJournalCount>},
+     .sent = suture::codec::sentIn<wire::Journal::CountParams>,
+     .arguments = suture::codec::messageOf<wire::Journal::CountParams, JournalCountArguments,
+                                           encodeJournalCount, decodeJournalCount>},
     {.interface = capnp::typeId<wire::Journal>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Journal::LatestParams>,
-     .result = suture::rpc::messageOf<wire::Journal::LatestResults, std::int64_t,
-                                      encodeJournalLatestResult, decodeJournalLatestResult>,
-     .stamp = suture::rpc::stampIn<wire::Journal::LatestResults>},
+     .sent = suture::codec::sentIn<wire::Journal::LatestParams>,
+     .result = suture::codec::messageOf<wire::Journal::LatestResults, std::int64_t,
+                                        encodeJournalLatestResult, decodeJournalLatestResult>,
+     .stamp = suture::codec::stampIn<wire::Journal::LatestResults>},
     {.interface = capnp::typeId<wire::Journal>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Journal::MomentsParams>,
-     .result = suture::rpc::messageOf<wire::Journal::MomentsResults, MomentsSlot,
-                                      encodeJournalMomentsResult, decodeJournalMomentsResult>,
-     .stamp = suture::rpc::stampIn<wire::Journal::MomentsResults>},
+     .sent = suture::codec::sentIn<wire::Journal::MomentsParams>,
+     .result = suture::codec::messageOf<wire::Journal::MomentsResults, MomentsSlot,
+                                        encodeJournalMomentsResult, decodeJournalMomentsResult>,
+     .stamp = suture::codec::stampIn<wire::Journal::MomentsResults>},
     {.interface = capnp::typeId<wire::Journal>(),
      .method = 5,
-     .sent = suture::rpc::sentIn<wire::Journal::FindParams>,
-     .arguments = suture::rpc::messageOf<wire::Journal::FindParams, JournalFindArguments,
-                                         encodeJournalFind, decodeJournalFind>,
-     .result = suture::rpc::messageOf<wire::Journal::FindResults, suture::SlotOptional<MomentSlot>,
-                                      encodeJournalFindResult, decodeJournalFindResult>},
+     .sent = suture::codec::sentIn<wire::Journal::FindParams>,
+     .arguments = suture::codec::messageOf<wire::Journal::FindParams, JournalFindArguments,
+                                           encodeJournalFind, decodeJournalFind>,
+     .result = suture::codec::messageOf<wire::Journal::FindResults,
+                                        suture::SlotOptional<MomentSlot>, encodeJournalFindResult,
+                                        decodeJournalFindResult>},
 };
 
-constexpr suture::rpc::EventCodec kJournalEventCodecs[] = {
+constexpr suture::codec::EventCodec kJournalEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::JournalEvents::AddedParams>,
-     .payload = suture::rpc::messageOf<wire::JournalEvents::AddedParams, std::int64_t,
-                                       encodeJournalAddedEvent, decodeJournalAddedEvent>},
+     .stamp = suture::codec::stampIn<wire::JournalEvents::AddedParams>,
+     .payload = suture::codec::messageOf<wire::JournalEvents::AddedParams, std::int64_t,
+                                         encodeJournalAddedEvent, decodeJournalAddedEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::JournalEvents::ChangedParams>,
-     .payload = suture::rpc::messageOf<wire::JournalEvents::ChangedParams, JournalChangedPayload,
-                                       encodeJournalChangedEvent, decodeJournalChangedEvent>},
+     .stamp = suture::codec::stampIn<wire::JournalEvents::ChangedParams>,
+     .payload = suture::codec::messageOf<wire::JournalEvents::ChangedParams, JournalChangedPayload,
+                                         encodeJournalChangedEvent, decodeJournalChangedEvent>},
     {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::JournalEvents::CountedParams>,
-     .payload = suture::rpc::messageOf<wire::JournalEvents::CountedParams, std::int64_t,
-                                       encodeJournalCountedEvent, decodeJournalCountedEvent>},
+     .stamp = suture::codec::stampIn<wire::JournalEvents::CountedParams>,
+     .payload = suture::codec::messageOf<wire::JournalEvents::CountedParams, std::int64_t,
+                                         encodeJournalCountedEvent, decodeJournalCountedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& journalCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Journal>,
+const suture::codec::Codec& journalCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Journal>,
       .contract = capnp::typeId<wire::Journal>(),
       .subscriber = capnp::typeId<wire::JournalEvents>(),
       .commands = kJournalCommandCodecs,
       .events = kJournalEventCodecs,
-      .row = suture::rpc::rowOf<wire::JournalEvents::StateParams, wire::JournalStateRow,
-                                encodeJournalColumn, decodeJournalColumn>,
+      .row = suture::codec::rowOf<wire::JournalEvents::StateParams, wire::JournalStateRow,
+                                  encodeJournalColumn, decodeJournalColumn>,
   };
   return kCodec;
 }
@@ -372,32 +375,32 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Moment& value) {
-  return rpc::encodeAs<shapes::wire::Moment, shapes::MomentSlot>(value);
+  return codec::encodeAs<shapes::wire::Moment, shapes::MomentSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Moment& value) {
-  return rpc::decodeAs<shapes::wire::Moment, shapes::MomentSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Moment, shapes::MomentSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Moments& value) {
-  return rpc::encodeAs<shapes::wire::Moments, shapes::MomentsSlot>(value);
+  return codec::encodeAs<shapes::wire::Moments, shapes::MomentsSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Moments& value) {
-  return rpc::decodeAs<shapes::wire::Moments, shapes::MomentsSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Moments, shapes::MomentsSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Spans& value) {
-  return rpc::encodeAs<shapes::wire::Spans, shapes::SpansSlot>(value);
+  return codec::encodeAs<shapes::wire::Spans, shapes::SpansSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Spans& value) {
-  return rpc::decodeAs<shapes::wire::Spans, shapes::SpansSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Spans, shapes::SpansSlot>(bytes, value);
 }
 
 }  // namespace suture

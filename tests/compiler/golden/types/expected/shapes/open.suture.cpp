@@ -3,7 +3,7 @@
 
 #include <suture/base/slots/slots.h>
 #include <suture/base/slots/valid_values.h>
-#include <suture/wire/stamps.h>
+#include <suture/codec/stamps.h>
 
 #include <type_traits>
 
@@ -195,7 +195,7 @@ bool isValid(const OpenSlot& slot, suture::FieldPath* path) {
 }
 
 // Defined in shapes/open.wire.cpp.
-const suture::rpc::Codec& archiveCodec();
+const suture::codec::Codec& archiveCodec();
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Written by suturec from shapes/open.h. Do not edit.
-#include <suture/wire/codec.h>
-#include <suture/wire/flat.h>
-#include <suture/wire/wire.h>
+#include <suture/codec/codec.h>
+#include <suture/codec/flat.h>
+#include <suture/codec/wire.h>
 
 #include "shapes/open.capnp.h"
 #include "shapes/open.suture.h"
@@ -14,8 +14,8 @@ suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration 
 
 namespace shapes {
 
-using suture::rpc::fromWire;
-using suture::rpc::toWire;
+using suture::codec::fromWire;
+using suture::codec::toWire;
 
 // --- between slots and Cap'n Proto
 
@@ -40,28 +40,29 @@ static suture::Errc fromWire(wire::ShapesOpenOptionalRoot::Reader in,
 
 void toWire(const RootSlot& slot, wire::Root::Builder out) {
   out.setValue(slot.value);
-  suture::rpc::toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
-                          [](const RootSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
+                            [](const RootSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   toWire(slot.shadow, out.initShadow());
-  suture::rpc::toWireList(slot.branches, out.initBranches(sizeOf(slot.branches)),
-                          [](const BranchSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.branches, out.initBranches(sizeOf(slot.branches)),
+                            [](const BranchSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
 }
 
 suture::Errc fromWire(wire::Root::Reader in, RootSlot& slot, suture::Duration shift) {
   slot.value = in.getValue();
-  return suture::rpc::firstError({
-      suture::rpc::fromWireList(in.getChildren(), slot.children, [&](auto item, RootSlot& target) {
-        return fromWire(item, target, shift);
-      }),
+  return suture::codec::firstError({
+      suture::codec::fromWireList(in.getChildren(), slot.children,
+                                  [&](auto item, RootSlot& target) {
+                                    return fromWire(item, target, shift);
+                                  }),
       fromWire(in.getShadow(), slot.shadow, shift),
-      suture::rpc::fromWireList(in.getBranches(), slot.branches,
-                                [&](auto item, BranchSlot& target) {
-                                  return fromWire(item, target, shift);
-                                }),
+      suture::codec::fromWireList(in.getBranches(), slot.branches,
+                                  [&](auto item, BranchSlot& target) {
+                                    return fromWire(item, target, shift);
+                                  }),
   });
 }
 
@@ -74,7 +75,7 @@ static void toWire(const suture::SlotEntry<suture::OpenText, RootSlot>& slot,
 static suture::Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
                              suture::SlotEntry<suture::OpenText, RootSlot>& slot,
                              suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getKey(), slot.key),
       fromWire(in.getValue(), slot.value, shift),
   });
@@ -82,15 +83,15 @@ static suture::Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
 
 void toWire(const BranchSlot& slot, wire::Branch::Builder out) {
   out.setLength(slot.length);
-  suture::rpc::toWireList(slot.roots, out.initRoots(sizeOf(slot.roots)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.roots, out.initRoots(sizeOf(slot.roots)),
+                            [](const auto& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
 }
 
 suture::Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, suture::Duration shift) {
   slot.length = in.getLength();
-  return suture::rpc::fromWireDistinct(in.getRoots(), slot.roots, [&](auto item, auto& target) {
+  return suture::codec::fromWireDistinct(in.getRoots(), slot.roots, [&](auto item, auto& target) {
     return fromWire(item, target, shift);
   });
 }
@@ -98,18 +99,18 @@ suture::Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, suture::Duratio
 static void toWire(const suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
                    wire::ShapesOpenEntryOfTextToListOfPoint::Builder out) {
   toWire(slot.key, out.initKey(sizeOf(slot.key)));
-  suture::rpc::toWireList(slot.value, out.initValue(sizeOf(slot.value)),
-                          [](const PointSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.value, out.initValue(sizeOf(slot.value)),
+                            [](const PointSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
 }
 
 static suture::Errc fromWire(wire::ShapesOpenEntryOfTextToListOfPoint::Reader in,
                              suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
                              suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getKey(), slot.key),
-      suture::rpc::fromWireList(in.getValue(), slot.value, [&](auto item, PointSlot& target) {
+      suture::codec::fromWireList(in.getValue(), slot.value, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),
   });
@@ -174,52 +175,52 @@ void toWire(const OpenSlot& slot, wire::Open::Builder out) {
   toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
   toWire(slot.block, out.initBlock(sizeOf(slot.block) * sizeof(float)));
   toWire(slot.flags, out.initFlags(sizeOf(slot.flags)));
-  suture::rpc::toWireList(slot.path, out.initPath(sizeOf(slot.path)),
-                          [](const PointSlot& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
-  suture::rpc::toWireList(slot.pair, out.initPair(2),
-                          [](const suture::OpenText& element, auto list, std::uint32_t i) {
-                            toWire(element, list.init(i, sizeOf(element)));
-                          });
+  suture::codec::toWireList(slot.path, out.initPath(sizeOf(slot.path)),
+                            [](const PointSlot& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
+  suture::codec::toWireList(slot.pair, out.initPair(2),
+                            [](const suture::OpenText& element, auto list, std::uint32_t i) {
+                              toWire(element, list.init(i, sizeOf(element)));
+                            });
   toWire(slot.words, out.initWords(sizeOf(slot.words)));
   toWire(slot.shorts, out.initShorts(sizeOf(slot.shorts)));
   toWire(slot.keys, out.initKeys(sizeOf(slot.keys)));
-  suture::rpc::toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
-                          [](const auto& element, auto list, std::uint32_t i) {
-                            toWire(element, list[i]);
-                          });
+  suture::codec::toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
+                            [](const auto& element, auto list, std::uint32_t i) {
+                              toWire(element, list[i]);
+                            });
   toWire(slot.note, out.initNote());
   toWire(slot.either, out.initEither());
   toWire(slot.entry, out.initEntry());
   toWire(slot.joints, out.initJoints(sizeOf(slot.joints)));
   toWire(slot.any, out.initAny());
   toWire(slot.wide, out.initWide());
-  suture::rpc::toWireFlat(slot.cloud, out.initCloud(sizeOf(slot.cloud) * 3));
+  suture::codec::toWireFlat(slot.cloud, out.initCloud(sizeOf(slot.cloud) * 3));
   toWire(slot.image, out.initImage());
   toWire(slot.root, out.initRoot());
 }
 
 suture::Errc fromWire(wire::Open::Reader in, OpenSlot& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getSamples(), slot.samples),
       fromWire(in.getBytes(), slot.bytes),
       fromWire(in.getBlock(), slot.block),
       fromWire(in.getFlags(), slot.flags),
-      suture::rpc::fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
+      suture::codec::fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),
-      suture::rpc::fromWireList(in.getPair(), slot.pair, [](auto item, suture::OpenText& target) {
+      suture::codec::fromWireList(in.getPair(), slot.pair, [](auto item, suture::OpenText& target) {
         return fromWire(item, target);
       }),
       fromWire(in.getWords(), slot.words),
       fromWire(in.getShorts(), slot.shorts),
-      suture::rpc::fromWireDistinct(in.getKeys(), slot.keys,
-                                    [](auto item, suture::OpenText& target) {
-                                      return fromWire(item, target);
-                                    }),
-      suture::rpc::fromWireDistinct(in.getSeries(), slot.series, [&](auto item, auto& target) {
+      suture::codec::fromWireDistinct(in.getKeys(), slot.keys,
+                                      [](auto item, suture::OpenText& target) {
+                                        return fromWire(item, target);
+                                      }),
+      suture::codec::fromWireDistinct(in.getSeries(), slot.series, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getNote(), slot.note, shift),
@@ -228,7 +229,7 @@ suture::Errc fromWire(wire::Open::Reader in, OpenSlot& slot, suture::Duration sh
       fromWire(in.getJoints(), slot.joints),
       fromWire(in.getAny(), slot.any),
       fromWire(in.getWide(), slot.wide),
-      suture::rpc::fromWireFlat(in.getCloud(), slot.cloud),
+      suture::codec::fromWireFlat(in.getCloud(), slot.cloud),
       fromWire(in.getImage(), slot.image),
       fromWire(in.getRoot(), slot.root, shift),
   });
@@ -244,7 +245,7 @@ void encodeArchivePut(const ArchivePutArguments& slot, wire::Archive::PutParams:
 }
 suture::Errc decodeArchivePut(wire::Archive::PutParams::Reader in, ArchivePutArguments& slot,
                               suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getKey(), slot.key),
       in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid,
   });
@@ -317,7 +318,7 @@ void encodeArchiveGrownEvent(const ArchiveGrownPayload& slot,
 }
 suture::Errc decodeArchiveGrownEvent(wire::ArchiveEvents::GrownParams::Reader in,
                                      ArchiveGrownPayload& slot, suture::Duration shift) {
-  return suture::rpc::firstError({
+  return suture::codec::firstError({
       fromWire(in.getValue(), slot.value),
       in.hasValue2() ? fromWire(in.getValue2(), slot.value2, shift) : suture::Errc::Invalid,
   });
@@ -357,66 +358,66 @@ suture::Errc decodeArchiveColumn(wire::ArchiveStateRow::Reader in, unsigned colu
   return suture::Errc::Invalid;
 }
 
-constexpr suture::rpc::CommandCodec kArchiveCommandCodecs[] = {
+constexpr suture::codec::CommandCodec kArchiveCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Archive>(),
      .method = 1,
-     .sent = suture::rpc::sentIn<wire::Archive::PutParams>,
-     .arguments = suture::rpc::messageOf<wire::Archive::PutParams, ArchivePutArguments,
-                                         encodeArchivePut, decodeArchivePut>},
+     .sent = suture::codec::sentIn<wire::Archive::PutParams>,
+     .arguments = suture::codec::messageOf<wire::Archive::PutParams, ArchivePutArguments,
+                                           encodeArchivePut, decodeArchivePut>},
     {.interface = capnp::typeId<wire::Archive>(),
      .method = 2,
-     .sent = suture::rpc::sentIn<wire::Archive::RemarkParams>,
-     .arguments = suture::rpc::messageOf<wire::Archive::RemarkParams, ArchiveRemarkArguments,
-                                         encodeArchiveRemark, decodeArchiveRemark>},
+     .sent = suture::codec::sentIn<wire::Archive::RemarkParams>,
+     .arguments = suture::codec::messageOf<wire::Archive::RemarkParams, ArchiveRemarkArguments,
+                                           encodeArchiveRemark, decodeArchiveRemark>},
     {.interface = capnp::typeId<wire::Archive>(),
      .method = 3,
-     .sent = suture::rpc::sentIn<wire::Archive::NewestParams>,
-     .result = suture::rpc::messageOf<wire::Archive::NewestResults, OpenSlot,
-                                      encodeArchiveNewestResult, decodeArchiveNewestResult>,
-     .stamp = suture::rpc::stampIn<wire::Archive::NewestResults>},
+     .sent = suture::codec::sentIn<wire::Archive::NewestParams>,
+     .result = suture::codec::messageOf<wire::Archive::NewestResults, OpenSlot,
+                                        encodeArchiveNewestResult, decodeArchiveNewestResult>,
+     .stamp = suture::codec::stampIn<wire::Archive::NewestResults>},
     {.interface = capnp::typeId<wire::Archive>(),
      .method = 4,
-     .sent = suture::rpc::sentIn<wire::Archive::FindParams>,
-     .arguments = suture::rpc::messageOf<wire::Archive::FindParams, ArchiveFindArguments,
-                                         encodeArchiveFind, decodeArchiveFind>,
-     .result = suture::rpc::messageOf<wire::Archive::FindResults,
-                                      suture::OpenList<suture::OpenText>, encodeArchiveFindResult,
-                                      decodeArchiveFindResult>},
+     .sent = suture::codec::sentIn<wire::Archive::FindParams>,
+     .arguments = suture::codec::messageOf<wire::Archive::FindParams, ArchiveFindArguments,
+                                           encodeArchiveFind, decodeArchiveFind>,
+     .result = suture::codec::messageOf<wire::Archive::FindResults,
+                                        suture::OpenList<suture::OpenText>, encodeArchiveFindResult,
+                                        decodeArchiveFindResult>},
     {.interface = capnp::typeId<wire::Archive>(),
      .method = 5,
-     .sent = suture::rpc::sentIn<wire::Archive::ReplaceParams>,
-     .arguments = suture::rpc::messageOf<wire::Archive::ReplaceParams, ArchiveReplaceArguments,
-                                         encodeArchiveReplace, decodeArchiveReplace>,
-     .result = suture::rpc::messageOf<wire::Archive::ReplaceResults, OpenSlot,
-                                      encodeArchiveReplaceResult, decodeArchiveReplaceResult>},
+     .sent = suture::codec::sentIn<wire::Archive::ReplaceParams>,
+     .arguments = suture::codec::messageOf<wire::Archive::ReplaceParams, ArchiveReplaceArguments,
+                                           encodeArchiveReplace, decodeArchiveReplace>,
+     .result = suture::codec::messageOf<wire::Archive::ReplaceResults, OpenSlot,
+                                        encodeArchiveReplaceResult, decodeArchiveReplaceResult>},
 };
 
-constexpr suture::rpc::EventCodec kArchiveEventCodecs[] = {
+constexpr suture::codec::EventCodec kArchiveEventCodecs[] = {
     {.method = 1,
-     .stamp = suture::rpc::stampIn<wire::ArchiveEvents::RenamedParams>,
-     .payload = suture::rpc::messageOf<wire::ArchiveEvents::RenamedParams, suture::OpenText,
-                                       encodeArchiveRenamedEvent, decodeArchiveRenamedEvent>},
+     .stamp = suture::codec::stampIn<wire::ArchiveEvents::RenamedParams>,
+     .payload = suture::codec::messageOf<wire::ArchiveEvents::RenamedParams, suture::OpenText,
+                                         encodeArchiveRenamedEvent, decodeArchiveRenamedEvent>},
     {.method = 2,
-     .stamp = suture::rpc::stampIn<wire::ArchiveEvents::GrownParams>,
-     .payload = suture::rpc::messageOf<wire::ArchiveEvents::GrownParams, ArchiveGrownPayload,
-                                       encodeArchiveGrownEvent, decodeArchiveGrownEvent>},
+     .stamp = suture::codec::stampIn<wire::ArchiveEvents::GrownParams>,
+     .payload = suture::codec::messageOf<wire::ArchiveEvents::GrownParams, ArchiveGrownPayload,
+                                         encodeArchiveGrownEvent, decodeArchiveGrownEvent>},
     {.method = 3,
-     .stamp = suture::rpc::stampIn<wire::ArchiveEvents::ChangedParams>,
-     .payload = suture::rpc::messageOf<wire::ArchiveEvents::ChangedParams, OpenSlot,
-                                       encodeArchiveChangedEvent, decodeArchiveChangedEvent>},
+     .stamp = suture::codec::stampIn<wire::ArchiveEvents::ChangedParams>,
+     .payload = suture::codec::messageOf<wire::ArchiveEvents::ChangedParams, OpenSlot,
+                                         encodeArchiveChangedEvent, decodeArchiveChangedEvent>},
 };
 
 }  // namespace
 
-const suture::rpc::Codec& archiveCodec() {
-  static constexpr suture::rpc::Codec kCodec{
-      .schema = suture::rpc::schemaOf<wire::Archive>,
+const suture::codec::Codec& archiveCodec() {
+  static constexpr suture::codec::Codec kCodec{
+      .schema = suture::codec::schemaOf<wire::Archive>,
       .contract = capnp::typeId<wire::Archive>(),
       .subscriber = capnp::typeId<wire::ArchiveEvents>(),
       .commands = kArchiveCommandCodecs,
       .events = kArchiveEventCodecs,
-      .row = suture::rpc::rowOf<wire::ArchiveEvents::StateParams, wire::ArchiveStateRow,
-                                encodeArchiveColumn, decodeArchiveColumn>,
+      .row = suture::codec::rowOf<wire::ArchiveEvents::StateParams, wire::ArchiveStateRow,
+                                  encodeArchiveColumn, decodeArchiveColumn>,
   };
   return kCodec;
 }
@@ -427,32 +428,32 @@ namespace suture {
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Root& value) {
-  return rpc::encodeAs<shapes::wire::Root, shapes::RootSlot>(value);
+  return codec::encodeAs<shapes::wire::Root, shapes::RootSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Root& value) {
-  return rpc::decodeAs<shapes::wire::Root, shapes::RootSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Root, shapes::RootSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Branch& value) {
-  return rpc::encodeAs<shapes::wire::Branch, shapes::BranchSlot>(value);
+  return codec::encodeAs<shapes::wire::Branch, shapes::BranchSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Branch& value) {
-  return rpc::decodeAs<shapes::wire::Branch, shapes::BranchSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Branch, shapes::BranchSlot>(bytes, value);
 }
 
 template <>
 Result<std::vector<std::byte>> encode(const shapes::Open& value) {
-  return rpc::encodeAs<shapes::wire::Open, shapes::OpenSlot>(value);
+  return codec::encodeAs<shapes::wire::Open, shapes::OpenSlot>(value);
 }
 
 template <>
 Result<> decode(std::span<const std::byte> bytes, shapes::Open& value) {
-  return rpc::decodeAs<shapes::wire::Open, shapes::OpenSlot>(bytes, value);
+  return codec::decodeAs<shapes::wire::Open, shapes::OpenSlot>(bytes, value);
 }
 
 }  // namespace suture
