@@ -10,16 +10,20 @@ import sys
 # library, a source may include any of its parts: the order holds for headers there.
 RUNTIME = ["base", "base/slots", "rt", "rt/queue", "rt/state", "component/contract", "component/channel/counts",
            "component/channel", "component/required",
-           "component", "component/factory", "component/task", "wiring", "loop", "net/tls", "net", "framing", "wire", "wire/json", "lane",
+           "component", "component/factory", "component/task", "wiring", "loop", "net/tls", "net", "framing", "codec", "codec/json", "lane",
            "lane/carrier", "lane/fault", "lane/delay", "lane/rpc", "lane/shm", "lane/frame/bytes", "lane/frame/payloads", "lane/frame", "names", "session", "session/client",
            "session/provider/limits", "session/provider", "standard", "manager", "observe", "record", "testing", "deploy/document", "deploy/process", "deploy"]
 CLI = ["values", "command_line", "contract", "peer", "text", "."]
 COMPILER = {"frontend": ["ast", "report", "types", "."], "lock": ["schema", "moves", "."], "emit": ["text", "wire", "cpp", "docs", "."]}
+# A folder of runtime/suture/ that has a namespace of its own shares it with the folders below; what lies in no such folder is in suture itself.
+NAMESPACES = {"rt": "rt", "loop": "loop", "net": "net", "net/tls": "tls", "framing": "framing", "codec": "codec", "lane/rpc": "rpc",
+              "lane/shm": "shm", "lane/frame": "frame"}
 PARALLEL = {"observe", "record", "testing"}  # none of them knows another
 # Standard contracts that the layers below speak of count as the lowest, and see no more than that.
 BASIC_CONTRACTS = {"standard/lifecycle.h"}
 MAX_SOURCES = 25
 SOURCES = {".h", ".cpp"}
+NAMESPACE = re.compile(r"^namespace suture((?:::\w+)*) \{", re.M)
 INCLUDE = re.compile(r'^\s*#include\s+[<"]([^>"]+)[>"]', re.M)
 MAX_LINES = 700
 MAX_README_LINES = 40
@@ -73,6 +77,25 @@ MAY_NAME_LANES = {
     "runtime/suture/manager/manager.cpp": DELAYS,
     "runtime/suture/deploy/check.cpp": DELAYS,
 }
+
+
+def namespace_of(folder):
+    """Returns the namespace below suture for a folder of runtime/suture/, "" if it has none."""
+    while folder not in NAMESPACES and "/" in folder:
+        folder = folder.rpartition("/")[0]
+    return NAMESPACES.get(folder, "")
+
+
+def check_namespaces(root):
+    """A source declares what other folders have before its own, so its last namespace is the one that counts."""
+    for path in sources(root, "runtime/suture"):
+        opened = NAMESPACE.findall(path.read_text(encoding="utf-8"))
+        if not opened:
+            continue
+        wanted, found = namespace_of(str(path.parent.relative_to(root / "runtime/suture"))), opened[-1].split("::")[1:]
+        inner = found[1:] if wanted and found[:1] == [wanted] else found if not wanted else None
+        if inner is None or set(inner) & set(NAMESPACES.values()):
+            yield f"{path.relative_to(root)}: its namespace is suture{opened[-1]}, but its folder has suture{wanted and '::' + wanted}"
 
 
 def check_lanes(root):
@@ -247,7 +270,7 @@ def check_comments(root):
                     yield f"{path.relative_to(root)}:{number}: a comment begins with {found[1] or found[2]}; say who does it, or what is so"
 
 
-CHECKS = [check_layers, check_lanes, check_parts, check_folders, check_compiler_is_alone, check_components_see_public_headers,
+CHECKS = [check_layers, check_namespaces, check_lanes, check_parts, check_folders, check_compiler_is_alone, check_components_see_public_headers,
           check_waits, check_observers, check_lengths, check_readmes, check_test_names, check_comments, check_format]
 
 

@@ -38,6 +38,18 @@ class Planted(unittest.TestCase):
         self.write("runtime/suture/lane/pipe/pipe.h", "\n")
         self.expect(rules.check_layers, "does not say which folders")
 
+    def test_a_source_in_the_namespace_of_another_folder(self):
+        self.write("runtime/suture/net/tls/keys.h", "namespace suture::net {\n}\n")
+        self.expect(rules.check_namespaces, "net/tls/keys.h: its namespace is suture::net, but its folder has suture::tls")
+
+    def test_a_source_without_the_namespace_of_its_folder(self):
+        self.write("runtime/suture/lane/frame/bytes/parser.h", "namespace suture {\nclass Parser;\n}\n")
+        self.expect(rules.check_namespaces, "parser.h: its namespace is suture, but its folder has suture::frame")
+
+    def test_a_declaration_for_another_folder(self):
+        self.write("runtime/suture/session/host.h", "namespace suture::net {\nclass Trust;\n}\n\nnamespace suture {\n}\n")
+        self.assertEqual(list(rules.check_namespaces(self.root)), [])
+
     def test_a_session_that_knows_a_lane(self):
         self.write("runtime/suture/session/client/session.cpp", "#include <suture/lane/frame/frame_lane.h>\n")
         self.expect(rules.check_lanes, "names a lane, suture/lane/frame/")
