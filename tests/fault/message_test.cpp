@@ -5,6 +5,7 @@
 #include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
+#include <suture/observe/merge.h>
 #include <suture/observe/observe.h>
 
 #include <cstdlib>
@@ -14,6 +15,7 @@
 
 #include "fault/history/history_arm.h"
 #include "fault/history/history_caller.h"
+#include "fault/history/history_sums.h"
 #include "fault/system.h"
 #include "support/patience.h"
 
@@ -102,8 +104,23 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     providers_->add("PSM", *arms_.back());
     providers_->start();
   }
+  /// The provider says what became of its commands, and ends.
+  void endProvider() {
+    Manager& manager = lane() == LaneUnderFault::Local ? *clients_ : *providers_;
+    arms_.back()->stop();
+    const ConnectionReport served = reportOf(manager, ConnectionEnd::Provider);
+    arms_.back()->noteLedger(1, sumsOf(served, manager.incarnation()));
+    if (providers_ != nullptr) providers_->stop();
+  }
+  /// What the reports of both processes say together has a place for each command.
+  void expectMergedSums() const {
+    const auto merged = mergeConnections({observe(*clients_, now()), observe(*providers_, now())});
+    ASSERT_EQ(merged.size(), 1u);
+    const ConnectionReport& whole = merged.front();
+    EXPECT_EQ(whole.commands() + whole.lost + whole.unknown + whole.underWay, whole.sent);
+  }
   void restartProvider() {
-    providers_->stop();
+    endProvider();
     providers_.reset();
     startProvider();
   }
@@ -130,13 +147,14 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     }
     return true;
   }
-  ConnectionReport report() const {
-    for (const ConnectionReport& one : observe(*clients_, now()).connections) {
-      if (one.end == ConnectionEnd::Client) return one;
+  static ConnectionReport reportOf(const Manager& manager, ConnectionEnd end) {
+    for (const ConnectionReport& one : observe(manager, now()).connections) {
+      if (one.end == end) return one;
     }
     ADD_FAILURE() << "there is no connection";
     return {};
   }
+  ConnectionReport report() const { return reportOf(*clients_, ConnectionEnd::Client); }
   /// Tells if the fault has been noticed and rows have come all the same: a stall can hold up every
   /// row for as long as the test asks.
   bool wasUnderFault() const {
@@ -163,6 +181,12 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     EXPECT_TRUE(eventually([this] { return creditsAreBack(); }));
     EXPECT_GT(reads_, 0);
     EXPECT_GT(plan_.counts->total(), 0u);
+    EXPECT_TRUE(eventually([this] { return report().underWay == 0; }));
+    if (providers_ != nullptr && arms_.size() == 1) expectMergedSums();
+    std::uint64_t others = 0;
+    for (const auto& arm : arms_) others += arm->others();
+    caller_->noteLedger(sumsOf(report(), clients_->incarnation()), others);
+    endProvider();
     std::printf("seed %u: %d faults\n", faultSeed(), static_cast<int>(plan_.counts->total()));
     std::vector<std::string> logs = logs_;
     logs.push_back(directory_.file("c"));

@@ -36,7 +36,8 @@ struct HistoryEntry {
     Killed,     ///< the client was, by the test: what is under way needs no end
     Connected,  ///< the client found a new connection: `epoch`, over `lane`
     Told,       ///< the client was told that its connection `epoch` is lost: `error`
-    Counted,    ///< the client says in the end what became of its commands: `sums`
+    Counted,    ///< the client says in the end what became of its commands: `sums`; `id`: how many
+                ///< were executed that are in no history
     Served,     ///< so does a provider; `id`: how many of them its handlers have begun
   };
 

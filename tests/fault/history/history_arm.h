@@ -34,16 +34,17 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
 
   double distance(const PoseStamped& goal) const override {
     ++executions_;
+    ++distances_;
     return StillArm::distance(goal);
   }
 
   /// Notes, once it has been stopped, what the report of its process says of the commands of client
-  /// number `client`.
+  /// number `client`, who alone may have sent others().
   void noteLedger(std::uint32_t client, const suture::HistorySums& sums) {
     log_.write({.kind = suture::HistoryEntry::Kind::Served,
                 .at = suture::now(),
                 .client = client,
-                .id = executedOf_[client],
+                .id = executedOf_[client] + others(),
                 .sums = sums});
   }
 
@@ -52,6 +53,8 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
 
   /// Any thread: returns how many commands it has executed so far.
   std::uint64_t executions() const { return executions_; }
+  /// Any thread: returns how many of its commands are in no history, since they carry no tag.
+  std::uint64_t others() const { return static_cast<unsigned>(holds) + distances_; }
   /// Any thread: returns how many events it has emitted so far.
   std::uint64_t emitted() const { return events_; }
 
@@ -90,6 +93,7 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
   const std::uint32_t number_;
   const int eventsPerCycle_;
   mutable std::atomic<std::uint64_t> executions_{0};
+  mutable std::atomic<std::uint64_t> distances_{0};
   std::atomic<std::uint64_t> events_{0};
   std::atomic<suture::Duration::rep> hangs_{0};
   std::map<std::uint32_t, std::uint64_t> executedOf_;  // commands, by client

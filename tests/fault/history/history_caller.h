@@ -79,10 +79,11 @@ class HistoryCaller final : public Device {
     look();
   }
 
-  /// Notes what the report of its process says of its commands. Nothing is sent any more.
-  void noteLedger(const HistorySums& sums) {
+  /// Notes what the report of its process says of its commands, of which `others` were executed
+  /// that it did not write down. Nothing is sent any more.
+  void noteLedger(const HistorySums& sums, std::uint64_t others = 0) {
     look();
-    note({.kind = HistoryEntry::Kind::Counted, .sums = sums});
+    note({.kind = HistoryEntry::Kind::Counted, .id = others, .sums = sums});
   }
 
   HistoryPort arm{*this, "Arm"};

@@ -99,7 +99,7 @@ class Checker {
   }
 
   void compareWith(const HistoryEntry& ledger) {
-    std::uint64_t executed = 0;
+    std::uint64_t executed = ledger.id;
     for (const auto& [which, command] : commands_) {
       if (which.first == ledger.client) executed += static_cast<unsigned>(command.executions);
     }

@@ -345,11 +345,17 @@ void DelayedConnection::settleCalls(const CallsMark& mark) {
                 [this](std::uint32_t call) { client_.replyError(call, Errc::OutcomeUnknown); });
 }
 
-// Adds what the far end has heard, since the provider's end may be another lane's client.
+// If the far end is another lane's client, only what that has heard is the provider's word; what it
+// counts itself was decided in this process.
 void DelayedConnection::countCommands() {
   const ChannelCounts& beyond = *far_->counts;
-  constexpr auto kEnd = ConnectionEnd::Client;
-  near_->counts->told.store(beyond.own(kEnd) + beyond.heard(kEnd));
+  const ConnectionEnd end = far_->ends.components;
+  if (end == ConnectionEnd::Provider) {
+    near_->counts->told.store(beyond.own(end));
+  } else {
+    near_->counts->decided.store(beyond.own(end));
+    near_->counts->told.store(beyond.heard(end));
+  }
   near_->counts->lost.store(commands_.reached() - delivered_ + rt::count(beyond.lost),
                             std::memory_order_relaxed);
 }

@@ -19,8 +19,8 @@ Tally ofProvider(const rt::MailboxCounters& commands, const rt::EventCounters& e
 }  // namespace
 
 Tally ChannelCounts::own(ConnectionEnd end) const {
-  Tally tally;
-  if (!foreign || end == ConnectionEnd::Provider) tally = ofProvider(*commands, *events);
+  Tally tally = decided.load();
+  if (!foreign || end == ConnectionEnd::Provider) tally = tally + ofProvider(*commands, *events);
   if (!foreign || end == ConnectionEnd::Client) tally.replaced += rt::count(commands->replaced);
   tally.refused += rt::count(turnedAway);
   tally.executed += rt::count(executedHere);

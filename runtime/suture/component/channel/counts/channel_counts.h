@@ -26,6 +26,9 @@ struct ChannelCounts {
   const bool foreign;
   /// Client's end: the lane's thread writes here what the provider's end has told it.
   SharedTally told{};
+  /// Client's end: the lane's thread writes here what it has decided itself, in the client's
+  /// process, of commands that have left the mailbox.
+  SharedTally decided{};
   /// Both ends in one process: count what ran in the thread that sent it. The first two are written
   /// by the client's thread.
   std::atomic<std::uint64_t> executedHere{0}, failedHere{0}, eventsHeardHere{0};
