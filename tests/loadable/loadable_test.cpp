@@ -4,6 +4,9 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/factory/component_library.h>
 #include <suture/deploy/host.h>
+#include <suture/rt/counter.h>
+
+#include <chrono>
 
 #include <memory>
 #include <string>
@@ -11,6 +14,7 @@
 
 #include "paths.h"
 #include "support/eventually.h"
+#include "support/stepped.h"
 
 namespace suture {
 namespace {
@@ -66,6 +70,11 @@ TEST(Loadable, SeveralInstancesAreConnectedAndRun) {
     EXPECT_TRUE(eventually([&] { return channel->commands.counters.executed > 3; }))
         << channel->name();
   }
+  // The runtime within the library obeys the clock of this program: its hand acts each millisecond.
+  const auto executed = [&] { return rt::count(channels[0]->commands.counters.executed); };
+  const std::uint64_t before = executed();
+  clockOfTest().advance(std::chrono::milliseconds(10));
+  EXPECT_EQ(executed(), before + 10);
   EXPECT_TRUE(host.troubles().empty());
 }
 
