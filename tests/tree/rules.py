@@ -148,8 +148,9 @@ def check_components_see_public_headers(root):
 
 
 # A wait that a stepped clock does not know stops it for ever. These are the places that wait for the kernel, and why.
-WAITS = re.compile(r"condition_variable|std::(future|promise|async|jthread|thread)\b|sleep_(for|until)|\b(u|nano)sleep\(|"
-                   r"this_thread::yield|\bpoll\(&?\w+, |epoll_wait\(|sigtimedwait\(|SYS_futex")
+WAITS = re.compile(r"condition_variable|std::(future|promise|async|jthread|thread|latch|barrier|\w+_semaphore)\b|sleep_(for|until)|"
+                   r"(\bu|nano)sleep\(|this_thread::yield|\bpoll\([&\w.()]+, |\bppoll\(|\bp?select\(|epoll_p?wait2?\(|sigtimedwait\(|"
+                   r"SYS_futex|\.wait\((std::memory_order|[a-z]\w*, )")
 MAY_WAIT = {
     "runtime/suture/rt/doorbell.cpp": "the one place where threads sleep",
     "runtime/suture/rt/thread.h": "threads that a stepped clock knows",

@@ -130,6 +130,14 @@ class Planted(unittest.TestCase):
         self.write("runtime/suture/rt/doorbell.cpp", "syscall(SYS_futex, &word_);\n")
         self.expect(rules.check_waits, "manager/a.cpp: waits by sleep_for")
 
+    def test_each_way_to_wait_in_the_kernel(self):
+        for wait in ("std::binary_semaphore room{0};", "std::latch begun(2);", "clock_nanosleep(CLOCK_MONOTONIC, 0, &end, nullptr);",
+                     "poll(all.data(), all.size(), -1);", "ppoll(&one, 1, nullptr, nullptr);", "select(1, &set, nullptr, nullptr, nullptr);",
+                     "epoll_pwait(epoll, events, 1, -1, nullptr);", "state_.wait(old, std::memory_order_relaxed);"):
+            self.write("runtime/suture/session/host.cpp", wait + "\n")
+            with self.subTest(wait):
+                self.expect(rules.check_waits, "waits by")
+
     def test_a_thread_that_no_clock_knows(self):
         self.write("runtime/suture/record/a.h", "std::thread thread_;\n")
         self.expect(rules.check_waits, "waits by std::thread")
