@@ -3,8 +3,9 @@
 # UBSan on 10,000 mutated headers and on all its tests, ten minutes of each fuzzer, a minute of stress on each part between
 # threads, a thousand restarts of a peer, a million changed sessions, twenty rounds of faults between processes, ten minutes of
 # faults of messages, ten random contracts, a thousand random headers, each scenario of conformance on each row that
-# is possible, a million seeds of the explorer, the planted faults, a build in which each source is compiled by itself, the
-# whole grid of the experiment over a link and six of its points in real time, and the demo as a newcomer runs it.
+# is possible, a million seeds of the explorer, two hundred orders of threads under each freeze, the planted faults, a build in
+# which each source is compiled by itself, the whole grid of the experiment over a link and six of its points in real time, and
+# the demo as a newcomer runs it.
 #   tests/long.sh [MUTANTS] [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -42,6 +43,9 @@ SUTURE_CONFORMANCE=full "$build/bin/conformance_test" --gtest_brief=1
 SUTURE_SEEDS=1000000 "$build/bin/explorer_test" --gtest_filter='*NewSeeds*' --gtest_brief=1
 tests/planted.sh
 ctest --preset dev -j "$(nproc)" -L long
+for seed in {1..200}; do
+  SUTURE_TEST_SEED=$seed "$build/bin/manager_test" --gtest_filter='*FrozenProcess*:*Ttl*:*Stop*' --gtest_brief=1 || { echo "seed $seed"; exit 1; }
+done
 SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
 SUTURE_SESSIONS=1000000 "$build/bin/fault_test" --gtest_filter=Sessions.*
 SUTURE_RECONNECTS=1000 "$build/bin/fault_test" --gtest_filter='*Restarts.ManyRestartsOfAPeer*'
