@@ -6,8 +6,9 @@
 namespace suture {
 
 BootTime BootClock::now() {
-  if (virtualTime() != nullptr) [[unlikely]] {
-    return BootTime(suture::now().time_since_epoch());
+  const VirtualTime* const stepped = virtualTime();
+  if (stepped != nullptr) [[unlikely]] {
+    return BootTime(stepped->now().time_since_epoch() + stepped->suspended());
   }
   timespec time{};
   clock_gettime(CLOCK_BOOTTIME, &time);

@@ -42,6 +42,8 @@ class VirtualTime {
   enum class Kind : std::uint8_t { Send, Execute, Event, Status };
 
   virtual Time now() const = 0;
+  /// Returns for how long the machine has been suspended, in which now() stood still.
+  virtual Duration suspended() const = 0;
 
   /// Returns when the sleeper has been woken or `deadline` has come.
   virtual void sleep(const Sleeper& sleeper, Time deadline) = 0;

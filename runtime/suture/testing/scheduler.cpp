@@ -165,6 +165,11 @@ void Scheduler::release() {
   dispatch();
 }
 
+void Scheduler::suspend(Duration duration) {
+  const Lock lock(mutex_);
+  suspended_.store(suspended() + duration, std::memory_order_release);
+}
+
 void Scheduler::enterProcess(std::size_t process) { currentProcess = process; }
 
 void Scheduler::freeze(std::size_t process) {

@@ -48,6 +48,7 @@ class Scheduler final : public VirtualTime {
   Scheduler& operator=(const Scheduler&) = delete;
 
   Time now() const override { return fromNanoseconds(now_.load(std::memory_order_acquire)); }
+  Duration suspended() const override { return suspended_.load(std::memory_order_acquire); }
   void sleep(const Sleeper& sleeper, Time deadline) override;
   void sleepAt(Sockets& sockets, const Sleeper& sleeper, Time deadline) override;
   void wake(Place place) override;
@@ -68,6 +69,8 @@ class Scheduler final : public VirtualTime {
   void finish();
   void hold();
   void release();
+  /// Lets the boot clock go on by so much more than the steady one.
+  void suspend(Duration duration);
   std::size_t addProcess() { return ++processes_; }
   /// Makes all that the calling thread starts from now on, and what that starts, part of `process`.
   static void enterProcess(std::size_t process);
@@ -100,6 +103,7 @@ class Scheduler final : public VirtualTime {
   const TestClockOptions options_;
   const Time begin_;
   std::atomic<std::int64_t> now_;
+  std::atomic<Duration> suspended_{Duration{0}};
   mutable std::mutex mutex_;
   std::map<std::size_t, std::unique_ptr<Thread>> threads_;  // by number
   std::size_t started_ = 0;

@@ -34,6 +34,8 @@ void TestClock::spend(Duration duration) {
   if (time != nullptr) time->spend(duration);
 }
 
+void TestClock::suspend(Duration duration) { scheduler_->suspend(duration); }
+
 const Trace& TestClock::trace() const {
   if (scheduler_->isTraced()) return scheduler_->trace();
   throw SetupError("reading the trace of a TestClock", "it keeps none",

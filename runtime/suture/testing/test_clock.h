@@ -84,6 +84,11 @@ class TestClock {
   /// Any thread of Suture. Makes its cycle take `duration` longer; others run meanwhile.
   static void spend(Duration duration);
 
+  /// Any thread. Suspends the machine for `duration`: all of its processes stand still, and so does
+  /// now(), while the clock that goes on then (BootClock) goes on. So a handler that calls this is
+  /// one in which the machine slept.
+  void suspend(Duration duration);
+
   /// Returns everything that the threads have done, in order; empty if they run together. Throws
   /// SetupError unless the clock is traced.
   const Trace& trace() const;
@@ -102,7 +107,7 @@ class TestClock {
   };
 
   /// A Process is a group of threads that stand still together, like those of a process that a
-  /// debugger has stopped, or whose machine is suspended. Threads of the test use it.
+  /// debugger has stopped, or those of another machine. Threads of the test use it.
   class Process {
    public:
     explicit Process(TestClock& clock);

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <suture/base/boot_time.h>
 #include <suture/base/errors.h>
 #include <suture/component/task/event_task.h>
 #include <suture/component/task/periodic_task.h>
@@ -46,6 +47,18 @@ TEST(TestClock, StandsStillUntilItIsStepped) {
   EXPECT_EQ(now(), begin);
   clock.advance(5ms);
   EXPECT_EQ(now() - begin, 5ms);
+}
+
+TEST(TestClock, SuspendsTheMachine) {
+  TestClock clock;
+  const Time begin = now();
+  const BootTime boot = BootClock::now();
+  clock.suspend(1h);
+  EXPECT_EQ(now(), begin);
+  EXPECT_EQ(BootClock::now() - boot, 1h);
+  clock.advance(1ms);
+  EXPECT_EQ(now() - begin, 1ms);
+  EXPECT_EQ(BootClock::now() - boot, 1h + 1ms);
 }
 
 TEST(TestClock, IsTheOnlyOneOfItsProcess) {
