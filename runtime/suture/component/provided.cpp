@@ -33,6 +33,12 @@ struct RoomNotice {
   }
 };
 
+// The clock takes as long as a fast handler, so in a long drain it is not read for each command.
+bool looksAtClock(unsigned turn) {
+  constexpr unsigned kEach = 16, kSeldom = 64;
+  return turn < kEach || turn % kSeldom == 0;
+}
+
 }  // namespace
 
 /// Holds the execution of one command. Its destructor ends it on every path, also when the handler
@@ -241,15 +247,16 @@ Errc ProvidedBase::refusal() const {
 // take long, and the process may be stopped at any moment.
 void ProvidedBase::drain(ChannelList::Node& node) {
   Channel& channel = *node.channel;
-  const Time drainStart = now();
+  clock_.begin();
   const Time resumed = everyState_ ? Time{} : owner_.resumed();
   const RoomNotice notice{channel, owner_};
-  bool first = true;
-  while (const rt::CommandRecord* record = channel.commands.next()) {
+  // A client that shares memory tells of a loss there.
+  const bool onlyClockTells = !channel.foreign && channel.provider.lease.limited();
+  for (unsigned turn = 0; const rt::CommandRecord* record = channel.commands.next(); ++turn) {
     const bool hasTtl = info_.commands[record->command].ttl > Duration{0};
-    // A client that shares memory tells of a loss there, so the clock need not be read for each
-    // command.
-    const Errc over = channel.provider.begin(first || hasTtl || !channel.foreign);
+    const bool looks = onlyClockTells || hasTtl || looksAtClock(turn);
+    if (looks && turn > 0) clock_.look();
+    const Errc over = channel.provider.begin(looks ? &clock_.present() : nullptr);
     if (over != Errc{}) {
       turnAway(channel, *record, over);
     } else if (const Errc refused = refusal(); refused != Errc{}) {
@@ -257,9 +264,8 @@ void ProvidedBase::drain(ChannelList::Node& node) {
     } else if (record->stamp < resumed) {
       turnAway(channel, *record, Errc::Suspended);
     } else {
-      run(node, *record, first || !hasTtl ? drainStart : now());
+      run(node, *record);
     }
-    first = false;
   }
 }
 
@@ -270,12 +276,12 @@ void ProvidedBase::turnAway(Channel& channel, const rt::CommandRecord& record, E
   execution.outcome = &channel.commands.counters.refused;
 }
 
-void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record, Time present) {
+void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record) {
   Channel& channel = *node.channel;
   const CommandInfo& command = info_.commands[record.command];
   Execution execution(channel, owner_, record);
   channel.countReceived(rt::SpscRing::recordSize(sizeof(record) + command.argumentsSize));
-  commandAge_ = present - record.stamp;
+  commandAge_ = clock_.age(record.stamp);
   if (command.ttl > Duration{0} && commandAge_ > command.ttl) {
     execution.outcome = &channel.commands.counters.late;
     execution.error = Errc::Late;

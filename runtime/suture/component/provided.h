@@ -11,6 +11,7 @@
 #include <suture/component/channel/channel_list.h>
 #include <suture/component/channel/channel_status.h>
 #include <suture/component/channel/last_invalid.h>
+#include <suture/component/command_clock.h>
 #include <suture/component/component.h>
 #include <suture/component/contract/declared_frames.h>
 #include <suture/component/contract/interface_info.h>
@@ -109,8 +110,9 @@ class ProvidedBase {
   void advance();
   /// Returns true if commands are waiting.
   bool pending() const;
-  /// In the handler of a queued command: returns how old it was when that was compared with its
-  /// ttl. It means nothing for a command that runs in its caller's thread.
+  /// In the handler of a queued command: returns how old it was when it began, the time included
+  /// for which the machine was suspended meanwhile. It means nothing for a command that runs in its
+  /// caller's thread.
   Duration commandAge() const { return commandAge_; }
   /// Tells all clients in which state the component is.
   void announce(ChannelStatus status);
@@ -148,7 +150,7 @@ class ProvidedBase {
   /// Any thread, for a device in this process. Gives `channel`, whose client just subscribed, the
   /// last values.
   void greetLocal(Channel& channel);
-  void run(ChannelList::Node& node, const rt::CommandRecord& record, Time present);
+  void run(ChannelList::Node& node, const rt::CommandRecord& record);
   void turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal);
   void tellState(Channel& channel) const;
   void deliver(Channel& channel, std::uint16_t event, Time stamp,
@@ -168,6 +170,7 @@ class ProvidedBase {
   ChannelList channels_;
   DeclaredFrames frames_;
   bool everyState_ = false;
+  CommandClock clock_;
   Duration commandAge_{0};
   LastInvalid lastInvalid_;
   struct Latched;

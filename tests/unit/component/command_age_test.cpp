@@ -28,16 +28,20 @@ class AgingArm final : public Task, public StillArm {
   using Task::cycle;
 
   void servo_cp(const PoseStamped&) override { ages.push_back(port.commandAge()); }
-  void hold() override { ages.push_back(port.commandAge()); }
+  void hold() override {
+    ages.push_back(port.commandAge());
+    pass(length);
+  }
 
   std::vector<Duration> ages;
+  Duration length{0};  // of hold()
   Provided<ArmLike> port{*this, "Arm", *this};
 
  private:
   void run() override {}
 };
 
-TEST(CommandAge, CountsUntilTheTtlComparison) {
+TEST(CommandAge, CountsUntilTheCommandsTurn) {
   AgingArm arm;
   ArmClient client;
   connectLocally(client.arm, arm.port, "test");
@@ -48,6 +52,21 @@ TEST(CommandAge, CountsUntilTheTtlComparison) {
   arm.cycle();
   arm.stop();
   EXPECT_EQ(arm.ages, (std::vector<Duration>{5ms, 0ms})) << "each has its own";
+}
+
+TEST(CommandAge, CountsTheHandlersBeforeIt) {
+  AgingArm arm;
+  arm.length = 3s;
+  ArmClient client;
+  const auto channel = connectLocally(client.arm, arm.port, "test");
+  arm.start();
+  ASSERT_TRUE(client.arm.hold());
+  ASSERT_TRUE(client.arm.hold());
+  ASSERT_TRUE(client.arm.hold());
+  arm.cycle();
+  arm.stop();
+  EXPECT_EQ(arm.ages, (std::vector<Duration>{0s, 3s, 6s}));
+  EXPECT_EQ(channel->provider.commandAge->max(), 6s) << "the reports tell the same";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <suture/component/channel/lease.h>
 
 #include "support/pass.h"
+#include "support/stepped.h"
 
 namespace suture {
 namespace {
@@ -11,7 +12,7 @@ using namespace std::chrono_literals;
 
 TEST(Lease, IsEndlessForASilentClient) {
   EXPECT_EQ(Lease().end(), BootTime::max());
-  EXPECT_FALSE(Lease().lapsed());
+  EXPECT_FALSE(Lease().lapsed(BootClock::now()));
   EXPECT_EQ(Lease(std::make_shared<PeerState>(), 0s).end(), BootTime::max());
   EXPECT_EQ(Lease(nullptr, 1s).end(), BootTime::max());
 }
@@ -23,7 +24,7 @@ TEST(Lease, CountsFromItsBeginningAtFirst) {
   const Lease lease(client, 10s);
   EXPECT_GE(lease.end(), before + 9s);
   EXPECT_LT(lease.end(), BootClock::now() + 10s) << "it must not end behind the client's";
-  EXPECT_FALSE(lease.lapsed());
+  EXPECT_FALSE(lease.lapsed(BootClock::now()));
 }
 
 TEST(Lease, EachConnectionsLeaseFollowsTheSession) {
@@ -38,7 +39,15 @@ TEST(Lease, EachConnectionsLeaseFollowsTheSession) {
 TEST(Lease, LapsesWithoutAWord) {
   const Lease lease(std::make_shared<PeerState>(), 1ms);
   pass(1ms);
-  EXPECT_TRUE(lease.lapsed());
+  EXPECT_TRUE(lease.lapsed(BootClock::now()));
+}
+
+TEST(Lease, EndsWhileTheMachineIsSuspended) {
+  const Lease lease(std::make_shared<PeerState>(), 1s);
+  clockOfTest().suspend(900ms);
+  EXPECT_FALSE(lease.lapsed(BootClock::now()));
+  clockOfTest().suspend(100ms);
+  EXPECT_TRUE(lease.lapsed(BootClock::now()));
 }
 
 }  // namespace

@@ -15,11 +15,11 @@ EventSet ChannelProvider::takeJoining() {
   return joining() ? words_.joining.exchange(0, std::memory_order_acquire) : 0;
 }
 
-Errc ChannelProvider::begin(bool looksAtClock) {
+Errc ChannelProvider::begin(const BootTime* present) {
   if (channel_.foreign && words_.cut.isUp(std::memory_order_seq_cst)) return Errc::Lost;
-  if (looksAtClock && lease.lapsed()) channel_.tell(ChannelStatus::Lapsed);
-  const ChannelStatus present = channel_.status.load(std::memory_order_acquire);
-  return isOver(present) ? errorOf(present) : Errc{};
+  if (present != nullptr && lease.lapsed(*present)) channel_.tell(ChannelStatus::Lapsed);
+  const ChannelStatus status = channel_.status.load(std::memory_order_acquire);
+  return isOver(status) ? errorOf(status) : Errc{};
 }
 
 void ChannelProvider::replyError(std::uint32_t call, Errc error) {

@@ -32,9 +32,10 @@ class ChannelProvider {
   /// looked. A thread that lowers it must look for both before it sleeps.
   rt::SharedFlag& untaken() { return words_.untaken; }
 
-  /// Call it just before a command is executed. Returns an error if the connection is over, and if
-  /// it `looksAtClock` also if the lease has ended, which ends the connection.
-  Errc begin(bool looksAtClock);
+  /// Call it just before a command is executed. Returns an error if the connection is over. If
+  /// `present` is not null, it also returns one if the lease has ended by then, which ends the
+  /// connection.
+  Errc begin(const BootTime* present);
   /// Returns false if the client has cancelled `call`, which must not be executed then.
   bool claim(std::uint32_t call) { return words_.claim(call); }
   /// Answers `call` with an error.

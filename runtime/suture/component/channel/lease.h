@@ -31,7 +31,7 @@ class Lease {
     const BootTime heard = std::max(begun_, client_->heard.load(std::memory_order_relaxed));
     return heard + silence_ - silence_ / kDrift;
   }
-  bool lapsed() const { return limited() && BootClock::now() >= end(); }
+  bool lapsed(BootTime present) const { return limited() && present >= end(); }
 
  private:
   std::shared_ptr<const PeerState> client_;

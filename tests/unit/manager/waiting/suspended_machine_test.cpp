@@ -1,0 +1,118 @@
+// The stamps of commands and the steady clock stand still while the machine is suspended. What has
+// waited meanwhile is old all the same.
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <vector>
+
+#include "support/pass.h"
+#include "support/stepped.h"
+#include "unit/manager/waiting/waiting_commands.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kSilence = 2s;
+
+class SuspendedMachine : public WaitingCommands {
+ protected:
+  static void suspend(Duration duration) { clockOfTest().suspend(duration); }
+  /// Lets the arm be in one long cycle while the commands arrive, at whose end the machine sleeps.
+  void sleepBeforeTheDrain(SlowArm& arm, std::initializer_list<Duration> sleeps) {
+    arm.inRun = [this, &arm, sleeps = std::vector<Duration>(sleeps)] {
+      if (client_.sent || arm.port.channels().empty()) return;
+      while (!client_.sent) pass(1ms);
+      pass(20ms);
+      for (const Duration sleep : sleeps) suspend(sleep);
+    };
+  }
+};
+
+class SuspendedRemotely : public SuspendedMachine {};
+
+INSTANTIATE_TEST_SUITE_P(Lanes, SuspendedMachine,
+                         testing::Values(std::nullopt, Lane::Shm, Lane::Frame, Lane::Rpc),
+                         nameOfLane);
+INSTANTIATE_TEST_SUITE_P(Lanes, SuspendedRemotely,
+                         testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc), nameOfLane);
+
+TEST_P(SuspendedMachine, MakesWaitingCommandsTooOld) {
+  SlowArm arm([] {});
+  sleepBeforeTheDrain(arm, {kTtl});
+  send(arm);
+  EXPECT_EQ(arm.limits, 1);
+  EXPECT_EQ(arm.servos, 0);
+  EXPECT_EQ(late_, 1u);
+  EXPECT_GE(oldest_, kTtl) << "the reports tell the time for which a command waited";
+}
+
+TEST_P(SuspendedMachine, MakesCommandsTooOldInTwoSleeps) {
+  SlowArm arm([] {});
+  sleepBeforeTheDrain(arm, {kTtl / 2, kTtl / 2});
+  send(arm);
+  EXPECT_EQ(arm.servos, 0);
+}
+
+TEST_P(SuspendedMachine, MakesCommandsTooOldBehindAHandler) {
+  SlowArm arm([] { suspend(kTtl + 1ms); });
+  send(arm);
+  EXPECT_EQ(arm.servos, 0);
+  EXPECT_EQ(late_, 1u);
+  EXPECT_GT(oldest_, kTtl);
+}
+
+TEST_P(SuspendedMachine, LeavesCommandsThatBearIt) {
+  SlowArm arm([] {});
+  sleepBeforeTheDrain(arm, {kTtl - 100ms});
+  send(arm);
+  EXPECT_EQ(arm.servos, 1);
+  EXPECT_EQ(late_, 0u);
+}
+
+// Nothing tells apart what was sent just before a sleep and just after it, so the drain that
+// notices the sleep takes what it finds for old.
+TEST_P(SuspendedMachine, LeavesCommandsSentAfterItWasNoticed) {
+  int calls = 0, sendings = 1;
+  SlowArm arm([&calls] {
+    if (++calls == 1) suspend(kTtl + 1ms);
+  });
+  send(arm, [&] {
+    if (arm.holds == sendings && sendings < 3) {
+      ++sendings;
+      client_.sent = false;
+    }
+    return arm.holds == 3;
+  });
+  EXPECT_EQ(arm.servos, 1);
+  EXPECT_EQ(late_, 2u);
+}
+
+// Nothing of the old connection runs: its client takes the provider for lost.
+TEST_P(SuspendedRemotely, EndsTheLeaseBeforeTheDrain) {
+  SlowArm arm([] {});
+  sleepBeforeTheDrain(arm, {kSilence});
+  send(arm, [&] { return client_.lost.load(); }, {.silence = kSilence});
+  EXPECT_EQ(arm.limits + arm.servos + arm.holds, 0);
+  EXPECT_EQ(refused_, 3u);
+}
+
+TEST_P(SuspendedRemotely, EndsTheLeaseBehindAHandler) {
+  SlowArm arm([] { suspend(kSilence); });
+  send(arm, [&] { return client_.lost.load(); }, {.silence = kSilence});
+  EXPECT_EQ(arm.limits, 1);
+  EXPECT_EQ(arm.servos + arm.holds, 0);
+  EXPECT_EQ(refused_, 2u);
+}
+
+TEST_P(SuspendedRemotely, KeepsTheLeaseThroughAShortSleep) {
+  SlowArm arm([] {});
+  sleepBeforeTheDrain(arm, {kSilence / 2});
+  send(arm);
+  EXPECT_EQ(arm.limits + arm.holds, 2);
+}
+
+}  // namespace
+}  // namespace suture
