@@ -35,10 +35,16 @@ class ProvidersEnd {
   }
 
   Statistics measure(const LocalOptions& options, bool looksAtClock) {
-    return timedLoops(options.count(200), 100'000, [&] {
-      const suture::BootTime present = looksAtClock ? suture::BootClock::now() : suture::BootTime{};
-      suture::Errc over = channel_.provider.begin(looksAtClock ? &present : nullptr);
-      keep(over);
+    const auto measured = [&](const auto& begin) {
+      return timedLoops(options.count(200), 100'000, [&] {
+        suture::Errc over = begin();
+        keep(over);
+      });
+    };
+    if (!looksAtClock) return measured([&] { return channel_.provider.begin(nullptr); });
+    return measured([&] {
+      const suture::BootTime present = suture::BootClock::now();
+      return channel_.provider.begin(&present);
     });
   }
 
