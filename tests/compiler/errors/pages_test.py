@@ -26,11 +26,12 @@ BEFORE = {
     "lock-break": 'struct SUTURE_TYPE() Fragment { SUTURE_FIELD(unit("m")) double x = 0; };',
     "lock-range": "struct SUTURE_TYPE() Grip { SUTURE_FIELD(range(0, 40)) double force = 0; };",
     "lock-removed": "struct SUTURE_TYPE() Goal { double velocity = 0; };",
+    "lock-stale": 'SUTURE_COMMAND(queue(8)) virtual void append(SUTURE_FIELD(unit("m")) double position) = 0;',
 }
 
 # These pages show what to run or to include instead of what to write.
 WITHOUT_EXAMPLE = {"contract-size", "enum-size", "forgotten-include", "lock-conflict", "lock-duplicate-id", "lock-missing", "lock-moved", "lock-new",
-                   "lock-newer", "lock-renamed", "lock-stale", "lock-syntax", "nesting", "own-generated-include", "slot-size"}
+                   "lock-newer", "lock-renamed", "lock-syntax", "nesting", "own-generated-include", "slot-size"}
 
 STANDARD = {"array": "array", "optional": "optional", "vector": "vector", "string": "string", "map": "map", "deque": "deque",
             "variant": "variant", "unique_ptr": "memory", "function": "functional", "string_view": "string_view",
