@@ -43,11 +43,11 @@ def texts_of_tests(root):
 
 
 def is_in(site, text):
-    """Tells if the message's words are in the text with others between them, or a run of them is."""
+    """Tells if the words of what was found are in the text with others between them, or a run of them is: many errors share a remedy."""
     parts = [re.escape(part) for part in site.words.split(error_sites.ANY)]
     if sum(map(len, parts)) >= error_sites.LEAST and re.search(".{1,60}?".join(filter(None, parts)), text):
         return True
-    for part in site.whole.split(error_sites.ANY):
+    for part in site.words.split(error_sites.ANY):
         words = part.strip(" .:;,'\"").split()
         runs = (" ".join(words[at:at + RUN]).strip(".:;,") for at in range(max(1, len(words) - RUN + 1)))
         if any(len(run) >= LEAST and run in text for run in runs):
@@ -95,6 +95,12 @@ class Planted(unittest.TestCase):
         self.write("tests/unit/a_test.cpp", 'EXPECT_TRUE(contains(error, "wheels too many"));\n')
         (found,) = violations(self.root, {})
         self.assertIn("runtime/a.cpp:1: no test provokes", found)
+
+    def test_a_remedy_is_not_enough(self):
+        self.write("runtime/a.cpp", 'throw SetupError("use it", "it has " + count + " wheels too few", "Add some wheels of that size");\n')
+        self.write("tests/unit/a_test.cpp", 'EXPECT_TRUE(contains(error, "Add some wheels of that size"));\n')
+        (found,) = violations(self.root, {})
+        self.assertIn("no test provokes 'it has ... wheels too few'", found)
 
     def test_a_list_that_is_too_long(self):
         self.write("tests/unit/a_test.py", 'self.assertIn("wheels too few for", error)\n')

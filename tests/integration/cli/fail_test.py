@@ -256,7 +256,7 @@ class Fail(System):
     def test_a_type_that_holds_itself(self):
         self.start_manager()
         self.start_stranger("groups")
-        self.assertIn("nested deeper", self.refused("read", "groups:Odd/Arm", "everything"))
+        self.assertIn("nested deeper than anything of ours", self.refused("read", "groups:Odd/Arm", "everything"))
 
 
 unittest.main()

@@ -3,7 +3,9 @@
 
 #include <thread>
 
+#include "support/no_more_descriptors.h"
 #include "support/patience.h"
+#include "support/refusal.h"
 
 namespace suture::loop {
 namespace {
@@ -23,6 +25,13 @@ ControlFailure failureOf(Work work) {
 
 TEST(ControlThread, StartsAndEndsWithoutWork) {
   for (int i = 0; i < 20; ++i) ControlThread control;
+}
+
+TEST(ControlThread, SaysWhyItCannotStart) {
+  const NoMoreDescriptors full;
+  EXPECT_EQ(refusal([] { const ControlThread control; }),
+            "start the control thread: eventfd: Too many open files. Raise the limit of open files "
+            "(ulimit -n).");
 }
 
 TEST(ControlThread, RunReturnsAValue) {

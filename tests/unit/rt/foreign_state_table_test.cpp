@@ -6,7 +6,10 @@
 #include <array>
 #include <cstring>
 #include <memory>
+#include <string>
 #include <vector>
+
+#include "support/refusal.h"
 
 namespace suture::rt::foreign_state_table {
 namespace {
@@ -65,6 +68,19 @@ TEST(ForeignStateTable, CopiesTheUsedPartOfLargeLists) {
       }
     }
   }
+}
+
+TEST(ForeignStateTable, MemoryThatIsTooSmallIsRefused) {
+  const std::array<std::uint32_t, 2> columns = {8, 24};
+  const StateTable provider(columns, 4);
+  const auto view = [&] {
+    const StateTable client(columns, 8, provider.memory(),
+                            std::make_shared<std::atomic<ColumnSet>>());
+  };
+  EXPECT_EQ(refusal(view), "read a state table of 8 rows: the memory has " +
+                               std::to_string(provider.memory()->size()) + " bytes of " +
+                               std::to_string(StateTable::bytesFor(columns, 8)) +
+                               ". Build both processes from the same release");
 }
 
 // There cannot be as many rows as it says: the search for a time ends all the same.

@@ -111,6 +111,13 @@ TEST_F(KeyMaker, AFolderOthersEnterIsRefused) {
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
+TEST_F(KeyMaker, AFileIsNoFolderForKeys) {
+  std::ofstream(folder_) << "no folder";
+  EXPECT_EQ(refusal([&] { makeKeys(folder_, {"left"}); }),
+            "keep keys in " + folder_.string() + ": it is no folder of yours. Give another.");
+  EXPECT_EQ(contentOf(folder_), "no folder");
+}
+
 TEST_F(KeyMaker, NamesThatAreNoFilesAreRefused) {
   for (const char* name : {"", "ca", "../left", "a/b", ".left", "left,DNS:right", "l\nt"}) {
     const std::string error = refusal([&] { makeKeys(folder_, {name}); });
