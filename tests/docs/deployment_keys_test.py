@@ -1,4 +1,4 @@
-"""Compares the tables of docs/howto/deployment.md with the schema that each deployment file is checked against.
+"""Compares the tables of docs/howto/deployment.md with the schemas that deployment files and policies are checked against.
 
 deployment_keys_test.py ROOT
 A row is a key, or several with one meaning; the heading above a table says where they stand. The column "without it" has the schema's
@@ -13,6 +13,7 @@ import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
 HEADING = re.compile(r"## .*?(?:`(\w+\[\][^`]*)`|top)$")
+POLICY = "\n## The policy file: top\n"  # the tables behind this are about that file
 TYPES = {"object": dict, "array": list, "string": str, "integer": int, "number": (int, float), "boolean": bool}
 
 
@@ -60,12 +61,15 @@ def takes(schema, value):
     return True
 
 
-class DeploymentKeys(unittest.TestCase):
+class Keys:
+    """What is so of the keys of each kind of file."""
+
     def setUp(self):
-        schema = json.loads((ROOT / "schemas/deployment.schema.json").read_text(encoding="utf-8"))
+        self.whole = json.loads((ROOT / f"schemas/{self.kind}.schema.json").read_text(encoding="utf-8"))
         # "frames.*" is no key that a deployment file has.
-        self.schema = {key: value for key, value in keys_of(schema) if not key.endswith(".*")}
-        self.rows = list(tables_of((ROOT / "docs/howto/deployment.md").read_text(encoding="utf-8")))
+        self.schema = {key: value for key, value in keys_of(self.whole) if not key.endswith(".*")}
+        self.page = self.part_of((ROOT / "docs/howto/deployment.md").read_text(encoding="utf-8"))
+        self.rows = list(tables_of(self.page))
 
     def test_every_key_has_one_row(self):
         self.assertEqual(sorted(key for key, *_ in self.rows), sorted(self.schema))
@@ -80,10 +84,9 @@ class DeploymentKeys(unittest.TestCase):
         required = {}
         for key in self.schema:
             parent, _, name = key.rpartition(".")
-            owner = self.schema.get(parent.removesuffix("[]"), {})
+            owner = self.schema.get(parent.removesuffix("[]"), {}) if parent else self.whole
             owner = owner.get("items", owner) if parent.endswith("[]") else owner
             required[key] = name in owner.get("required", [])
-        required["processes"] = True  # of the file itself
         for key, without, _ in self.rows:
             self.assertEqual(without == "required", required[key], key)
 
@@ -92,9 +95,33 @@ class DeploymentKeys(unittest.TestCase):
             self.assertTrue(takes(self.schema[key], json.loads(example)), f"{key}: {example}")
 
     def test_the_program_reads_every_key(self):
-        sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "runtime/suture/deploy/document").glob("deployment.*"))
+        sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "runtime/suture/deploy/document").glob(self.sources))
         unread = [key for key in self.schema if f'"{key.rpartition(".")[2]}"' not in sources]
         self.assertEqual(unread, ["$schema"])
+
+
+class DeploymentKeys(Keys, unittest.TestCase):
+    kind, sources = "deployment", "deployment.*"
+
+    def part_of(self, page):
+        return page.partition(POLICY)[0]
+
+
+class PolicyKeys(Keys, unittest.TestCase):
+    kind, sources = "policy", "policy_file.*"
+
+    def part_of(self, page):
+        return POLICY + page.partition(POLICY)[2]
+
+    def test_each_form_of_who_is_taken_and_told(self):
+        told = re.findall(r"^\| `([^`]+)` \|", self.page.partition("\n## The forms of `who`\n")[2].partition("\n## ")[0], re.M)
+        pattern = self.schema["rules[].who"]["pattern"]
+        self.assertEqual(pattern, "^(process:[^:/ ]+|user:(same|[0-9]{1,9})|tcp)$")
+        forms = ["process:[^*]+", "process:.*[*].*", "user:same", "user:[0-9]+", "tcp"]
+        self.assertEqual(len(told), len(forms))
+        for one, form in zip(told, forms):
+            self.assertRegex(one, f"^{form}$")
+            self.assertRegex(one, pattern)
 
 
 if __name__ == "__main__":
