@@ -95,9 +95,9 @@ class Proxy : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Lanes, Proxy, testing::Values("shm", "frame", "rpc"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(Proxy, ClosesConnections) { strike(Strike::Cut); }
+TEST_P(Proxy, ClosesTheConnectionsThatItCarries) { strike(Strike::Cut); }
 
-TEST_P(Proxy, ResetsConnections) { strike(Strike::Reset); }
+TEST_P(Proxy, ResetsTheConnectionsThatItCarries) { strike(Strike::Reset); }
 
 TEST_P(Proxy, PassesHalfAMessageAndCloses) { strike(Strike::Truncate); }
 

@@ -89,7 +89,7 @@ TEST(Loadable, ParametersAreReadAsAlways) {
                 "'angle'?");
 }
 
-TEST(Loadable, UnknownClass) {
+TEST(Loadable, AClassThatIsMissingIsNamed) {
   EXPECT_EQ(problemOf("Plater", LOADABLE),
             kError + "no component class 'Plater' in library '" + kLibraries +
                 "/" LOADABLE
@@ -118,7 +118,7 @@ TEST(Loadable, NoEntryPoint) {
                 "suture_generate(TARGET ... LOADABLE HEADERS ...)");
 }
 
-TEST(Loadable, AnotherRelease) {
+TEST(Loadable, ALibraryOfAnotherReleaseIsRefused) {
   EXPECT_EQ(problemOf("Platter", OLD_LOADABLE),
             kError + "loading components from '" + kLibraries +
                 "/" OLD_LOADABLE

@@ -27,7 +27,7 @@ NAMESPACE = re.compile(r"^namespace suture((?:::\w+)*) \{", re.M)
 INCLUDE = re.compile(r'^\s*#include\s+[<"]([^>"]+)[>"]', re.M)
 MAX_LINES = 700
 MAX_README_LINES = 40
-MAX_WORDS = 7
+MIN_WORDS, MAX_WORDS = 3, 7
 
 
 def sources(root, folder):
@@ -245,7 +245,7 @@ def check_format(root):
             yield f"{pathlib.Path(path).relative_to(root)}: not formatted; run clang-format-14 -i on it"
 
 
-# The name of a test says behaviour, and is read in a list of thousands. "A" and "The" count as words.
+# The name of a test case says behaviour, and is read in a list of thousands. "A" and "The" count as words, and the suite's name does not.
 TEST_NAME = re.compile(r"^\s*(?:TYPED_)?TEST(?:_F|_P)?\(\s*\w+,\s*(\w+)\)", re.M)
 
 
@@ -255,6 +255,8 @@ def check_test_names(root):
             words = len(re.findall(r"[A-Z][a-z0-9]*|[a-z0-9]+", name))
             if words > MAX_WORDS:
                 yield f"{path.relative_to(root)}: the test {name} has {words} words, at most {MAX_WORDS}"
+            if words < MIN_WORDS:
+                yield f"{path.relative_to(root)}: the test {name} has {words} words, at least {MIN_WORDS}; say what happens"
 
 
 # Who reads "Is called when ..." must guess who calls, or what is so.

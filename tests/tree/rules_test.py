@@ -173,6 +173,10 @@ class Planted(unittest.TestCase):
         self.write("tests/unit/rt/a_test.cpp", "TEST_P(Ring, ARingThatIsFullRefusesTheNext) {}\nTEST(Ring, AFullRingRefusesTheNextOne) {}\n")
         self.expect(rules.check_test_names, "ARingThatIsFullRefusesTheNext has 8 words, at most 7")
 
+    def test_a_test_whose_name_says_nothing(self):
+        self.write("tests/unit/rt/a_test.cpp", "TEST(Ring, IsBounded) {}\nTEST_F(Ring, RefusesTheNext) {}\n")
+        self.expect(rules.check_test_names, "the test IsBounded has 2 words, at least 3")
+
     def test_a_comment_without_a_subject(self):
         self.write("runtime/suture/rt/a.h", "/// Is called when a row is there.\n/// Returns whether it Is there.\n")
         self.expect(rules.check_comments, "a.h:1: a comment begins with Is")

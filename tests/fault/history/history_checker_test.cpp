@@ -68,7 +68,7 @@ TEST(HistoryChecker, FindsNothingInASoundHistory) {
   expectNone({});
 }
 
-TEST(HistoryChecker, ADuplicate) {
+TEST(HistoryChecker, ACommandThatIsExecutedTwice) {
   History history = sound();
   HistoryEntry again = nth(history, Kind::Executed, 60);
   history.push_back(again);

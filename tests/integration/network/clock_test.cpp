@@ -82,7 +82,7 @@ TEST_P(ClockTest, AgesAreRightWithinTheShownError) {
 /// DriftTest has a clock that falls behind by 100 us in each second.
 class DriftTest : public ClockTest {};
 
-TEST_P(DriftTest, IsFollowed) {
+TEST_P(DriftTest, AClockThatFallsBehindIsFollowed) {
   if (geteuid() != 0) GTEST_SKIP() << "only root may give a process another clock";
   const auto lane = std::get<1>(GetParam());
   const auto ahead = std::chrono::duration_cast<std::chrono::seconds>(std::get<0>(GetParam()));

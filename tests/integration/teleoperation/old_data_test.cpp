@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, FrozenTeleoperation,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(FrozenTeleoperation, BeginsAnew) {
+TEST_P(FrozenTeleoperation, BeginsAnewWithoutAJump) {
   ASSERT_TRUE(suture::clockOfTest().until([&] { return scene_.goalsIn(50ms) > 40; }));
   console_.freeze();
   pass(300ms);

@@ -20,7 +20,7 @@ namespace rt = suture::rt;
 
 // Two newest-wins commands and two queued ones, one of them deep: the law of the mailbox is that
 // what runs, runs in the order of sending.
-TEST(Stress, Mailbox) {
+TEST(Stress, AMailboxRunsCommandsInOrder) {
   constexpr rt::CommandLimits kCommands[] = {{sizeof(Bytes), 2, true},
                                              {sizeof(Bytes), 2, true},
                                              {sizeof(Bytes), 3, false},
@@ -73,7 +73,7 @@ TEST(Stress, Mailbox) {
 
 // A queued event and a newest-wins one come from each of several threads, as a device's may. Of two
 // newest-wins events at the same moment either may be lost.
-TEST(Stress, EventQueue) {
+TEST(Stress, AnEventQueueKeepsEachThreadsOrder) {
   constexpr rt::EventLimits kEvents[] = {{sizeof(Bytes), 16, false}, {sizeof(Bytes), 1, true}};
   rt::EventQueue queue(kEvents, rt::Producers::Any);
   const Span span;

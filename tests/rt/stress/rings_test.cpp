@@ -22,7 +22,7 @@ namespace rt = suture::rt;
 /// Returns one of many lengths of records, so that the ring's end falls everywhere.
 std::size_t lengthOf(std::uint64_t serial) { return 16 + 8 * (serial % 23); }
 
-TEST(Stress, SpscRing) {
+TEST(Stress, AnSpscRingLosesNothing) {
   rt::SpscRing ring(1000, 192);
   const Span span;
   std::atomic<bool> ended{false};
@@ -56,7 +56,7 @@ TEST(Stress, SpscRing) {
   EXPECT_EQ(faults.seen, sent);
 }
 
-TEST(Stress, MpscRing) {
+TEST(Stress, AnMpscRingLosesNothing) {
   rt::MpscRing ring(64, sizeof(Bytes));
   const Span span;
   std::vector<std::uint64_t> sent(kProducers);
@@ -89,7 +89,7 @@ TEST(Stress, MpscRing) {
   }
 }
 
-TEST(Stress, LatestCell) {
+TEST(Stress, ALatestCellNeverGoesBack) {
   rt::LatestCell cell(sizeof(Bytes));
   const Span span;
   std::atomic<std::uint64_t> sent{0};

@@ -17,7 +17,7 @@ namespace {
 namespace rt = suture::rt;
 
 // The fewer rows, the sooner a writer catches a reader at it.
-TEST(Stress, StateTable) {
+TEST(Stress, AStateTablesRowsAreWhole) {
   constexpr std::uint32_t kColumns[] = {sizeof(Bytes), sizeof(Bytes)};
   rt::StateTable table(kColumns, 4);
   const Span span;

@@ -112,7 +112,7 @@ TEST(Check, ReportsEnumeratorsThatAreMacros) {
   EXPECT_NE(findings[0].message.find("'debug' becomes DEBUG"), std::string::npos);
 }
 
-TEST(Check, Enums) {
+TEST(Check, AnEnumWithoutDistinctValuesIsRefused) {
   model::Header bad = header();
   bad.enums = {enumOf({})};
   EXPECT_EQ(slugs(bad), Slugs{"empty-enum"});

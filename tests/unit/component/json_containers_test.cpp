@@ -49,7 +49,7 @@ std::vector<std::string> read(const std::string& text, T& value) {
 
 using Lines = std::vector<std::string>;
 
-TEST(JsonContainers, Maps) {
+TEST(JsonContainers, MapsAreObjectsOrPairs) {
   std::map<std::string, double> named{{"old", 1}};
   EXPECT_EQ(read(R"({"a": 1, "b": 2})", named), Lines{});
   EXPECT_EQ(named, (std::map<std::string, double>{{"a", 1}, {"b", 2}}));
@@ -115,7 +115,7 @@ TEST(JsonContainers, ARangeHoldsForEachElement) {
   EXPECT_EQ(matrix(1, 0), 0.5);
 }
 
-TEST(JsonContainers, Sets) {
+TEST(JsonContainers, SetsRefuseWhatStandsTwice) {
   std::set<int> value;
   EXPECT_EQ(read("[3, 1]", value), Lines{});
   EXPECT_EQ(value, (std::set<int>{1, 3}));
@@ -146,7 +146,7 @@ TEST(JsonContainers, TuplesAndVariants) {
             Lines{"/index: expected a number from 0 to 2, found number 3"});
 }
 
-TEST(JsonContainers, Matrices) {
+TEST(JsonContainers, MatricesAreListsOfRows) {
   Eigen::MatrixXd matrix;
   EXPECT_EQ(read("[[1, 2, 3], [4, 5, 6]]", matrix), Lines{});
   EXPECT_EQ(matrix(1, 2), 6);

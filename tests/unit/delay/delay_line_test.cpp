@@ -61,7 +61,7 @@ TEST(DelayLine, OvertakableMessagesAreOvertaken) {
   EXPECT_EQ(take(line, at(3ms)), 1u);
 }
 
-TEST(DelayLine, IsBounded) {
+TEST(DelayLine, HoldsABoundedNumberOfRecords) {
   DelayLine line(8, 4);
   std::uint64_t taken = 0;
   while (taken < 1000 && put(line, at(1ms), taken + 1)) ++taken;

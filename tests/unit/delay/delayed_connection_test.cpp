@@ -155,7 +155,7 @@ TEST_F(Delayed, ATtlSeesTheDelay) {
   EXPECT_EQ(arm.servos, 0);
 }
 
-TEST_F(Delayed, OrderHolds) {
+TEST_F(Delayed, CommandsRunInTheirOrder) {
   connect("A", {.commands = 3ms, .answers = 3ms});
   std::vector<double> sent;
   const Time deadline = now() + kPatience;

@@ -95,7 +95,7 @@ TEST_F(MessageLineTest, AStallHoldsAllUntilItsEnd) {
   EXPECT_EQ(take(line, now() + 2h), (Values{1, 2}));
 }
 
-TEST_F(MessageLineTest, IsBounded) {
+TEST_F(MessageLineTest, DuplicatesCountAgainstItsBound) {
   MessageLine line(8, 16, {.duplicate = 1}, 0, counters);
   std::uint64_t put = 0;
   while (put < 1000 && line.hasRoom()) MessageLineTest::put(line, ++put);

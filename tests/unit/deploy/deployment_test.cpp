@@ -16,7 +16,7 @@ using suture::sound::kSound;
 using suture::sound::problemsOf;
 using suture::sound::with;
 
-TEST(Deployment, Sound) {
+TEST(Deployment, ReadsWhatASoundFileSays) {
   const Deployment deployment(JsonDocument::parse(kSound, "d.json"));
   EXPECT_EQ(deployment.manager(), "unix:/tmp/suture.sock");
   ASSERT_EQ(deployment.processes().size(), 2u);
@@ -188,7 +188,7 @@ suture::ConnectionContract contractOf(const std::string& value) {
   return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].options.contract;
 }
 
-TEST(Deployment, Contracts) {
+TEST(Deployment, ReadsTheContractsOfConnections) {
   using suture::ConnectionContract, suture::Fallback, suture::Resume;
   EXPECT_EQ(Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].options.contract,
             ConnectionContract{});
@@ -243,7 +243,7 @@ std::string rightWith(const std::string& key) {
   return with("\"name\": \"right\"", "\"name\": \"right\", " + key);
 }
 
-TEST(Deployment, Restarts) {
+TEST(Deployment, ReadsTheRestartsOfComponents) {
   const auto restartOf = [](const std::string& text) {
     return Deployment(JsonDocument::parse(text, "d.json")).process("right").components[0].restart;
   };
@@ -281,7 +281,7 @@ TEST(Deployment, RestartsThatAreNone) {
       line + "a time of " + digits + "s is longer than 86400s, which is the longest; shorten it");
 }
 
-TEST(Deployment, BlackBoxes) {
+TEST(Deployment, ReadsTheBlackBoxesOfProcesses) {
   const auto boxOf = [](const std::string& text) {
     return Deployment(JsonDocument::parse(text, "folder/d.json")).process("right").blackBox;
   };
@@ -373,13 +373,13 @@ TEST(Deployment, ATooLongTextIsRefused) {
   EXPECT_TRUE(problemsOf(with("\"scale\": 0.2", "\"note\": \"" + name + "\"")).empty());
 }
 
-TEST(Deployment, UnknownProcess) {
+TEST(Deployment, AnUnknownProcessIsNamed) {
   expectOnly(with("right:PSM1/Arm", "rigth:PSM1/Arm"),
              "d.json:18: error: 'rigth:PSM1/Arm' is in an unknown process 'rigth'; there are "
              "'left' and 'right'; did you mean 'right'?");
 }
 
-TEST(Deployment, UnknownComponent) {
+TEST(Deployment, AnUnknownComponentIsNamed) {
   expectOnly(with("left:MTML/Arm", "left:MTMR/Arm"),
              "d.json:17: error: process 'left' has no component 'MTMR'; it has 'MTML' and "
              "'Teleop'; did you mean 'MTML'?");
@@ -391,7 +391,7 @@ TEST(Deployment, OneOfTwoProcessesMustBeNamed) {
              "or another of 'left' and 'right'");
 }
 
-TEST(Deployment, DuplicateNames) {
+TEST(Deployment, DuplicateNamesAreRefused) {
   expectOnly(
       with("\"name\": \"Teleop\"",
            "\"name\": \"MTML\", \"parameters\": {}, \"class\": \"T\"}, {\"name\": \"Teleop\""),

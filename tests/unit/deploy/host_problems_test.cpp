@@ -12,7 +12,7 @@ namespace {
 
 struct Shelf final : Device {};
 
-TEST(HostProblems, UnknownClass) {
+TEST(HostProblems, AnUnknownClassIsNamed) {
   const auto problems =
       problemsOf(deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArn\"}"));
   ASSERT_EQ(problems.size(), 1u);

@@ -80,13 +80,13 @@ TEST(JsonDocument, ASyntaxErrorHasItsOwnLine) {
   EXPECT_TRUE(problems[0].starts_with("f.json:2:1: error: ")) << problems[0];
 }
 
-TEST(JsonDocument, UnexpectedEnd) {
+TEST(JsonDocument, AnUnexpectedEndHasItsPlace) {
   const auto problems = problemsOf("{\n  \"a\": [1,\n");
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_TRUE(problems[0].starts_with("f.json:3:1: error: ")) << problems[0];
 }
 
-TEST(JsonDocument, EmptyText) {
+TEST(JsonDocument, AnEmptyTextIsNoJson) {
   const auto problems = problemsOf("");
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_TRUE(problems[0].starts_with("f.json:1:1: error: ")) << problems[0];

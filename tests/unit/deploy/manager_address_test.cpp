@@ -21,13 +21,13 @@ TEST(ManagerAddress, AddressesAreReadWithTheFile) {
              "kind.");
 }
 
-TEST(ManagerAddress, SeveralManagers) {
+TEST(ManagerAddress, SeveralManagersAreListedWithCommas) {
   const std::string both = "unix:/tmp/1.sock,unix:/tmp/2.sock";
   const Deployment deployment(JsonDocument::parse(with("unix:/tmp/suture.sock", both), "d.json"));
   EXPECT_EQ(deployment.manager(), both);
 }
 
-TEST(ManagerAddress, MalformedAddresses) {
+TEST(ManagerAddress, MalformedAddressesAreRefused) {
   const auto interface = problemsOf(with("left:MTML/Arm", "left:MTML"));
   ASSERT_EQ(interface.size(), 1u);
   EXPECT_TRUE(interface[0].starts_with("d.json:17: error: expected the provided interface"))

@@ -74,7 +74,7 @@ TEST_P(Couplings, LeadThereAndBack) {
   }
 }
 
-TEST_P(Couplings, KeepPower) {
+TEST_P(Couplings, KeepThePowerOfTheJoints) {
   const Coupling<7>& coupling = GetParam();
   for (int i = 0; i < 100; ++i) {
     const Seven velocity = Seven::Random(), effort = Seven::Random();

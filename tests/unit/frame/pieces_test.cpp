@@ -33,7 +33,7 @@ constexpr Header kEnd{.kind = Kind::Event};
 constexpr Header kPiece{
     .kind = Kind::Piece, .number = static_cast<std::uint16_t>(kEnd.kind), .call = kWhole};
 
-TEST(Pieces, AreJoined) {
+TEST(Pieces, AreJoinedToTheirValue) {
   const Value value;
   Pieces pieces(kLimit, kLimit);
   Surplus surplus;

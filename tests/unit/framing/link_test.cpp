@@ -26,7 +26,7 @@ class LinkTest : public test::EchoScene {};
 INSTANTIATE_TEST_SUITE_P(Sockets, LinkTest, testing::Values("unix", "tcp"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(LinkTest, CallsReturn) {
+TEST_P(LinkTest, CallsReturnWhatTheySent) {
   serve();
   auto link = connect();
   auto client = link->bootstrap<Echo>();

@@ -116,7 +116,7 @@ TEST_F(MessageStreamTest, RefusesTheAdvisoryFrame) {
   EXPECT_EQ(nextFault(), toString(FrameFault::TooManySegments));
 }
 
-TEST_F(MessageStreamTest, RefusesText) {
+TEST_F(MessageStreamTest, RefusesAPeerThatSendsText) {
   open();
   sendText(peer_, "GET / HTTP/1.1\r\nHost: robot\r\n\r\n");
   EXPECT_EQ(nextFault(), toString(FrameFault::TooManySegments));

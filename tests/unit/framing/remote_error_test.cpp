@@ -13,7 +13,7 @@ kj::Exception told(const std::string& text) {
   return loop::failure(kj::Exception::Type::FAILED, text);
 }
 
-TEST(RemoteErrors, AreTold) {
+TEST(RemoteErrors, AreToldByNumberAndReason) {
   EXPECT_EQ(errcOf(remoteError(Errc::NotConnected)), Errc::NotConnected);
   EXPECT_EQ(errcOf(remoteError(Errc::NotPermitted)), Errc::NotPermitted);
   EXPECT_EQ(reasonOf(remoteError(Errc::Late)), "older than its ttl");

@@ -55,7 +55,7 @@ suture::Report sample() {
   return {"left", 2s, {connection}, {task}, {device}, {58, "user 7: no"}, 59, 67ns};
 }
 
-TEST(Report, SurvivesJson) {
+TEST(Report, IsTheSameAfterJson) {
   const auto json = suture::toJson(sample());
   const auto again = suture::toJson(suture::reportFromJson(nlohmann::json::parse(json.dump())));
   EXPECT_EQ(again, json);

@@ -78,7 +78,7 @@ TEST(ForeignMailbox, CopiesTheUsedPartOfLargeLists) {
   }
 }
 
-TEST(ForeignMailbox, SurvivesAnything) {
+TEST(ForeignMailbox, SurvivesWhateverItsMemoryHolds) {
   survivesAnything<Mailbox>(
       [](Shared<Mailbox>& mailbox, const auto& scramble) {
         for (std::uint8_t i = 0; i < 4; ++i) send(*mailbox.producer, i % 3, i);
@@ -147,7 +147,7 @@ TEST(ForeignEventQueue, CopiesTheUsedPartOfLargeLists) {
   }
 }
 
-TEST(ForeignEventQueue, SurvivesAnything) {
+TEST(ForeignEventQueue, SurvivesWhateverItsMemoryHolds) {
   for (const Producers producers : {Producers::One, Producers::Any}) {
     survivesAnything<EventQueue>(
         [](Shared<EventQueue>& queue, const auto& scramble) {

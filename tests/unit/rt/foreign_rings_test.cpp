@@ -63,7 +63,7 @@ TEST(ForeignSpscRing, AProducerTrustsOnlyItsOwnPositions) {
   }
 }
 
-TEST(ForeignSpscRing, SurvivesAnything) {
+TEST(ForeignSpscRing, SurvivesWhateverItsMemoryHolds) {
   survivesAnything<SpscRing>(
       [](Shared<SpscRing>& ring, const auto& scramble) {
         for (std::uint64_t i = 0; i < 5; ++i) put(*ring.producer, i);
@@ -79,7 +79,7 @@ TEST(ForeignSpscRing, SurvivesAnything) {
       std::size_t{200}, std::size_t{8});
 }
 
-TEST(ForeignMpscRing, SurvivesAnything) {
+TEST(ForeignMpscRing, SurvivesWhateverItsMemoryHolds) {
   survivesAnything<MpscRing>(
       [](Shared<MpscRing>& ring, const auto& scramble) {
         for (int i = 0; i < 3; ++i) ring.producer->commit(ring.producer->claim());
@@ -92,7 +92,7 @@ TEST(ForeignMpscRing, SurvivesAnything) {
       std::size_t{8}, std::size_t{24});
 }
 
-TEST(ForeignLatestCell, SurvivesAnything) {
+TEST(ForeignLatestCell, SurvivesWhateverItsMemoryHolds) {
   survivesAnything<LatestCell>(
       [](Shared<LatestCell>& cell, const auto& scramble) {
         for (int i = 0; i < 10; ++i) {

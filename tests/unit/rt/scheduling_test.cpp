@@ -96,7 +96,7 @@ TEST(Scheduling, AskingLeavesTheAskersThreadAlone) {
   });
 }
 
-TEST(Scheduling, InWords) {
+TEST(Scheduling, IsToldInPlainWords) {
   EXPECT_EQ(toString(Scheduling{}), "default");
   EXPECT_EQ(toString({.processor = 2}), "default on processor 2");
   EXPECT_EQ(toString({Policy::Fifo, 80, 1}), "fifo 80 on processor 1");

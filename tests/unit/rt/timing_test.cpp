@@ -97,7 +97,7 @@ TEST(Histogram, AFullBucketKeepsTheShares) {
   EXPECT_EQ(histogram.quantile(0.8), 1ms);
 }
 
-TEST(Histogram, TakesExtremes) {
+TEST(Histogram, TakesTimesBeyondItsRange) {
   Histogram histogram;
   histogram.record(Duration(-5));
   EXPECT_EQ(histogram.quantile(0.5), Duration(0));

@@ -134,7 +134,7 @@ TEST(Compatibility, ABaseIsKnownByItsNumber) {
   EXPECT_EQ(compare(renamed, derived()).lacking, Numbers{});
 }
 
-TEST(Compatibility, AnotherContract) {
+TEST(Compatibility, AnotherContractIsABreak) {
   Json other = contract();
   other["name"] = "robots::Camera";
   other["wire"][0]["id"] = "@0xe5";
