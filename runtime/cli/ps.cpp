@@ -11,14 +11,14 @@
 namespace suture::cli {
 namespace {
 
-/// A process itself says this of its connections, of which the global manager knows nothing.
-struct Asked {
+/// This is what a process answers about its connections, of which the global manager knows nothing.
+struct ConnectionsAnswer {
   Connections connections;
   std::string whyNot;  ///< why that is not known; "" if it is
 };
 
-Asked ask(loop::EventPort& loop, const Options& options, const net::Address& manager,
-          const ProcessRecord& process) {
+ConnectionsAnswer ask(loop::EventPort& loop, const Options& options, const net::Address& manager,
+                      const ProcessRecord& process) {
   if (process.silent) return {std::nullopt, "it is silent"};
   try {
     Peer peer(loop, process, manager, options);
@@ -31,20 +31,20 @@ Asked ask(loop::EventPort& loop, const Options& options, const net::Address& man
   }
 }
 
-std::string text(const ProcessRecord& process, const Asked& asked) {
+std::string text(const ProcessRecord& process, const ConnectionsAnswer& answer) {
   std::string line = plain(process.name) + "   pid " + std::to_string(process.pid) + "   host " +
                      plain(process.host);
   for (const std::string& address : process.addresses) line += "   " + plain(address);
   if (process.silent) line += "   silent";
-  line += "\n" + componentsText(process.components, asked.connections);
-  return asked.whyNot.empty() || process.silent
+  line += "\n" + componentsText(process.components, answer.connections);
+  return answer.whyNot.empty() || process.silent
              ? line
-             : line + "  its connections are not known: " + plain(asked.whyNot) + "\n";
+             : line + "  its connections are not known: " + plain(answer.whyNot) + "\n";
 }
 
-Json json(const ProcessRecord& process, const Asked& asked) {
-  Json told = toJson(process, asked.connections);
-  if (!asked.whyNot.empty()) told["connections_unknown"] = asked.whyNot;
+Json json(const ProcessRecord& process, const ConnectionsAnswer& answer) {
+  Json told = toJson(process, answer.connections);
+  if (!answer.whyNot.empty()) told["connections_unknown"] = answer.whyNot;
   return told;
 }
 
@@ -55,11 +55,11 @@ int ps(loop::EventPort& loop, const Options& options) {
   const auto processes = names.processes();
   Json all = Json::array();
   for (const ProcessRecord& process : processes) {
-    const Asked asked = ask(loop, options, names.address(), process);
+    const ConnectionsAnswer answer = ask(loop, options, names.address(), process);
     if (options.json) {
-      all.push_back(json(process, asked));
+      all.push_back(json(process, answer));
     } else {
-      print(text(process, asked));
+      print(text(process, answer));
     }
   }
   if (options.json) printJson(all);

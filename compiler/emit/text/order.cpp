@@ -90,9 +90,9 @@ class Order {
 
 /// Puts structs behind those that they hold, and else leaves their order. What holds its own kind
 /// is declared before all of them, which is enough where a slot holds it in a block of its own.
-class PartsFirst {
+class StructSorter {
  public:
-  PartsFirst(std::vector<model::Struct>& structs, const model::Lookup& lookup)
+  StructSorter(std::vector<model::Struct>& structs, const model::Lookup& lookup)
       : structs_(structs), lookup_(lookup) {
     for (const model::Struct& record : structs) known_.emplace(record.name, &record);
   }
@@ -135,7 +135,7 @@ model::Model ordered(model::Model model, const lock::Locks& locks) {
   const model::Lookup lookup(declared);
   const Order order(lookup, locks);
   for (model::Header& header : model.headers) {
-    PartsFirst(header.structs, lookup).sort();
+    StructSorter(header.structs, lookup).sort();
     for (model::Interface& interface : header.interfaces) order.sort(interface);
   }
   return model;

@@ -203,7 +203,7 @@ void Component::restart() {
 
 void Component::handleEvents() {
   const ComponentState before = state();
-  for (RequiredBase* required : required_) required->lookAtConnection();
+  for (RequiredBase* required : required_) required->updateConnection();
   for (RequiredBase* required : required_) {
     // the contract of a connection has parked it, or it is asked to stop
     if (state() != before || ending()) return;

@@ -36,8 +36,8 @@ void RequiredBase::handleEvents() {
   const bool atItsEnd = owner().ending();
   subscriptions.handleQueued();
   if (!atItsEnd && owner().ending()) return;
-  calls.offerNews();
-  subscriptions.offerNews();
+  calls.markSeen();
+  subscriptions.markSeen();
   calls.finishFollowed();
 }
 

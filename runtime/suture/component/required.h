@@ -105,7 +105,7 @@ class RequiredBase : protected RequiredParts {
   /// Owner's thread. Takes over the channel that attach() left.
   void adopt() { attachment.adopt(); }
   /// Owner's thread. Calls adopt(), and does what the connection's contract says of a loss.
-  void lookAtConnection() { attachment.lookAt(); }
+  void updateConnection() { attachment.update(); }
   /// Owner's thread. Returns true while the provider is lost and the contract faults this component
   /// for that.
   bool lossFaults() const { return attachment.lossFaults(); }

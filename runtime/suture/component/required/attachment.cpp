@@ -75,7 +75,7 @@ bool Attachment::lossFaults() const {
          channel_->terms.watch->contract.onLoss == Fallback::Fault;
 }
 
-void Attachment::lookAt() {
+void Attachment::update() {
   const bool asked = resumeAsked_.load(std::memory_order_relaxed) && resumeAsked_.exchange(false);
   const auto seen = losses();
   adopt();
@@ -85,7 +85,7 @@ void Attachment::lookAt() {
 
 Errc Attachment::unusable() {
   if (!owner_.ownedByThisThread()) return Errc::WrongThread;
-  if (!owner_.ownsThread()) lookAt();  // a device has no cycle in which to do it
+  if (!owner_.ownsThread()) update();  // a device has no cycle in which to do it
   if (channel_ == nullptr) return Errc::NotConnected;
   return errorOf(channel_->status.load(std::memory_order_acquire));
 }
@@ -117,7 +117,7 @@ ResumeOutcome Attachment::resume() {
     return ResumeOutcome::Asked;
   }
   const auto seen = losses();
-  lookAt();
+  update();
   if (channel_ == nullptr) return ResumeOutcome::NotConnected;
   return seen == losses() ? channel_->client.resume() : ResumeOutcome::ProviderLost;
 }

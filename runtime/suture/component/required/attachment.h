@@ -70,7 +70,7 @@ class Attachment {
   /// Returns true while the provider is lost and the contract faults its client for that.
   bool lossFaults() const;
   /// Calls adopt() and noticeLoss().
-  void lookAt();
+  void update();
   /// Admits commands that await their operator again.
   ResumeOutcome resume();
   /// Gives up the connection, and what attach() left, before anything that uses them ends. Returns

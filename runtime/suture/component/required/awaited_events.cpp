@@ -69,11 +69,11 @@ bool AwaitedEvents::contain(std::uint16_t event) const {
   return false;
 }
 
-template <class Whether>
-void AwaitedEvents::endIf(Errc error, const Whether& whether) {
+template <class Predicate>
+void AwaitedEvents::endIf(Errc error, const Predicate& isMeant) {
   for (AwaitedEvent* one = first_; one != nullptr;) {
     AwaitedEvent* const next = one->next_;
-    if (whether(*one)) {
+    if (isMeant(*one)) {
       remove(*one);
       one->end(error);
     }

@@ -68,8 +68,8 @@ class AwaitedEvents {
   void satisfy(const rt::EventRecord& record);
 
  private:
-  template <class Whether>
-  void endIf(Errc error, const Whether& whether);
+  template <class Predicate>
+  void endIf(Errc error, const Predicate& isMeant);
 
   AwaitedEvent* first_ = nullptr;
 };

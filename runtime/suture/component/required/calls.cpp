@@ -156,7 +156,7 @@ bool Calls::unseen() {
   return fresh_ != 0;
 }
 
-void Calls::offerNews() {
+void Calls::markSeen() {
   if (!unseen()) return;
   for (PendingCall& call : calls_) call.fresh = false;
   fresh_ = 0;

@@ -25,7 +25,7 @@ struct PendingCall {
   std::uint16_t command = 0;
   bool done = false;
   bool abandoned = false;
-  bool fresh = false;   ///< answered since the last offerNews()
+  bool fresh = false;   ///< answered since the last markSeen()
   bool shared = false;  ///< the result holds a counted pointer
   Errc error{};
   Time stamp{};
@@ -58,10 +58,10 @@ class Calls final : private Attachment::User {
   bool followedMayBeDone() const;
   /// Calls the followers of the calls that are done.
   void finishFollowed();
-  /// Returns true if an answer has come since offerNews() that has not been taken.
+  /// Returns true if an answer has come since markSeen() that has not been taken.
   bool unseen();
-  /// Leaves the answers that have come so far to run().
-  void offerNews();
+  /// Notes that the run() which follows sees the answers that have come so far.
+  void markSeen();
 
  private:
   void leave() override;

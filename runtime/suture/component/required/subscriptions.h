@@ -46,10 +46,10 @@ class Subscriptions final : private Attachment::User {
   Errc waitFor(AwaitedEvent& event, Duration limit);
   /// Returns why no event will come any more, or 0 if one may.
   Errc end() const;
-  /// Returns true if such a wait has handled an event since offerNews() that it did not wait for.
+  /// Returns true if such a wait has handled an event since markSeen() that it did not wait for.
   bool unseen() const { return handledInWait_; }
-  /// Leaves the effects of those to run().
-  void offerNews() { handledInWait_ = false; }
+  /// Notes that the run() which follows sees the effects of those.
+  void markSeen() { handledInWait_ = false; }
 
  private:
   struct Heard {

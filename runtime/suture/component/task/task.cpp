@@ -164,7 +164,7 @@ void Task::makeSafe() {
 bool Task::lacksProvider() {
   bool lacks = false;
   for (RequiredBase* interface : required()) {
-    interface->lookAtConnection();
+    interface->updateConnection();
     lacks = interface->lossFaults() || lacks;
   }
   return lacks;

@@ -7,7 +7,8 @@
 namespace suture::shm {
 namespace {
 
-using Asked = std::atomic<rt::ColumnSet>;
+/// Says which columns the client has asked for: the provider evaluates these.
+using Demand = std::atomic<rt::ColumnSet>;
 constexpr auto kElsewhere = rt::Doorbell::Sleeper::Elsewhere;
 
 std::vector<std::uint32_t> columnSizes(const rt::StateTable& table) {
@@ -32,9 +33,9 @@ void requireColumns(const InterfaceInfo& contract, const std::string& name,
 }  // namespace
 
 std::size_t channelBytes(const InterfaceInfo& contract) {
-  Arena asked = Arena::measuring();
-  asked.take(sizeof(Asked));
-  return asked.used() + Channel::bytesFor(contract);
+  Arena demand = Arena::measuring();
+  demand.take(sizeof(Demand));
+  return demand.used() + Channel::bytesFor(contract);
 }
 
 std::size_t stateBytes(const SharedParts& parts) {
@@ -53,9 +54,9 @@ SharedOffer offerShared(const IncomingConnection& connection, std::shared_ptr<Me
   offer.parts.rows = static_cast<std::uint32_t>(provided.state()->capacity());
   const auto clientsBell = std::make_shared<rt::Doorbell>(std::move(client), kElsewhere);
   Arena arena(offer.parts.channel, Arena::Content::Zeros);
-  const auto asked = arena.make<Asked>();
+  const auto demand = arena.make<Demand>();
   Channel::Ends ends = providersEnds(connection, clientsBell, std::move(watcher));
-  ends.asked = asked;
+  ends.asked = demand;
   offer.channel = std::make_shared<Channel>(contract, connection.terms, "shm", ends,
                                             provided.state(), connection.events, arena);
   return offer;
@@ -65,7 +66,7 @@ std::shared_ptr<Channel> takeShared(OutgoingConnection connection, const SharedP
   requireColumns(connection.contract, connection.terms.name, parts.columns);
   Arena arena(parts.channel, Arena::Content::Made);
   auto state =
-      std::make_shared<rt::StateTable>(parts.columns, parts.rows, parts.state, arena.make<Asked>(),
+      std::make_shared<rt::StateTable>(parts.columns, parts.rows, parts.state, arena.make<Demand>(),
                                        columnLevels(connection.contract));
   return std::make_shared<Channel>(
       connection.contract, std::move(connection.terms), "shm",

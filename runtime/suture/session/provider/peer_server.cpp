@@ -208,8 +208,8 @@ kj::Promise<void> PeerServer::connect(ConnectContext context) {
       });
 }
 
-/// This is a request that may be accepted.
-struct PeerServer::Asked {
+/// This is an attempt to connect that may be accepted.
+struct PeerServer::ConnectAttempt {
   std::string client;  // the required interface, as Admission::proven() returns it
   IncomingConnection connection;
   Match match;
@@ -274,13 +274,13 @@ bool PeerServer::mayTakeOver(const std::string& client, const std::string& name,
   return false;
 }
 
-kj::Promise<void> PeerServer::accept(const Asked& asked) {
-  ConnectContext context = asked.context;
+kj::Promise<void> PeerServer::accept(const ConnectAttempt& attempt) {
+  ConnectContext context = attempt.context;
   return whenLane(codec::stringOf(context.getParams().getLane()))
-      .then([this, asked](LaneServer* lane) { return make(*lane, asked); })
+      .then([this, attempt](LaneServer* lane) { return make(*lane, attempt); })
       .then(
-          [this, asked](kj::Maybe<AcceptedEnd>&& made) {
-            KJ_IF_MAYBE (end, made) accepted(asked, kj::mv(*end));
+          [this, attempt](kj::Maybe<AcceptedEnd>&& made) {
+            KJ_IF_MAYBE (end, made) accepted(attempt, kj::mv(*end));
           },
           [this, context](kj::Exception&& why) { decline(context, why); });
 }
@@ -296,16 +296,18 @@ void PeerServer::decline(ConnectContext context, const kj::Exception& why) {
                           "' by lane '" + codec::stringOf(in.getLane()) + "': " + text);
 }
 
-kj::Promise<kj::Maybe<AcceptedEnd>> PeerServer::make(LaneServer& lane, const Asked& asked) {
-  ConnectContext context = asked.context;
+kj::Promise<kj::Maybe<AcceptedEnd>> PeerServer::make(LaneServer& lane,
+                                                     const ConnectAttempt& attempt) {
+  ConnectContext context = attempt.context;
   const auto in = context.getParams();
   const Endpoint endpoint = endpointOf(in.getToComponent(), in.getProvided());
-  if (const auto refusal = whyNoMemory(endpoint, asked.memory, lane.bytesFor(asked.connection))) {
+  if (const auto refusal =
+          whyNoMemory(endpoint, attempt.memory, lane.bytesFor(attempt.connection))) {
     refuse(*refusal, context.getResults().initRefused());
     return kj::Maybe<AcceptedEnd>();
   }
   auto answer = context.getResults().initAccepted().initAnswer();
-  return lane.accept(asked.connection, in.getBrings(), answer).then([](AcceptedEnd&& end) {
+  return lane.accept(attempt.connection, in.getBrings(), answer).then([](AcceptedEnd&& end) {
     return kj::Maybe<AcceptedEnd>(kj::mv(end));
   });
 }
@@ -328,27 +330,28 @@ LaneServer* PeerServer::laneNamed(const std::string& name) {
 
 // Another attempt of the same interface may have come while the lane was getting ready. Stores the
 // end before it becomes the latest, because what the caller sent may be invalid and throw.
-void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
-  ConnectContext context = asked.context;
+void PeerServer::accepted(const ConnectAttempt& attempt, AcceptedEnd accepted) {
+  ConnectContext context = attempt.context;
   const auto in = context.getParams();
   ProviderEnd& end = *accepted.end;
   if (in.getEpoch() != 0) {
-    if (!mayTakeOver(asked.client, asked.connection.terms.name, context)) return end.close();
-    host_.latest_.end(asked.client);
+    if (!mayTakeOver(attempt.client, attempt.connection.terms.name, context)) return end.close();
+    host_.latest_.end(attempt.client);
   }
   const std::shared_ptr<Ledger>& ledger = accepted.channel->terms.ledger;
-  host_.ledgers_.keep(caller_->identity.text(), asked.connection.terms.name, incarnation_, ledger);
+  host_.ledgers_.keep(caller_->identity.text(), attempt.connection.terms.name, incarnation_,
+                      ledger);
   ledger->begin(accepted.channel, incarnation_);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
-  host_.memory_.keep(accepted.channel, asked.memory);
-  keep({kj::addRef(end), accepted.channel, asked.place});
-  if (in.getEpoch() != 0) host_.latest_.set(asked.client, latestAt(context, &end));
+  host_.memory_.keep(accepted.channel, attempt.memory);
+  keep({kj::addRef(end), accepted.channel, attempt.place});
+  if (in.getEpoch() != 0) host_.latest_.set(attempt.client, latestAt(context, &end));
   auto out = context.getResults().getAccepted();
-  out.setLacking(kj::arrayPtr(asked.match.lacking.data(), asked.match.lacking.size()));
-  out.setRows(static_cast<std::uint32_t>(asked.connection.provided.state()->capacity()));
+  out.setLacking(kj::arrayPtr(attempt.match.lacking.data(), attempt.match.lacking.size()));
+  out.setRows(static_cast<std::uint32_t>(attempt.connection.provided.state()->capacity()));
   codec::toWire(end.earlier(), out.initEarlier());
   out.setConnection(kj::heap<ConnectionServer>(kj::addRef(end)));
-  attach(asked.connection.provided, std::move(accepted.channel));
+  attach(attempt.connection.provided, std::move(accepted.channel));
 }
 
 void PeerServer::keep(Held held) {

@@ -33,7 +33,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   kj::Promise<void> compared(ComparedContext context) override;
 
  private:
-  struct Asked;
+  struct ConnectAttempt;
   /// This is a connection, or what a plain client has opened.
   struct Held {
     kj::Own<ProviderEnd> end;
@@ -56,10 +56,10 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   /// Returns false, and refuses the request, if a later one has come first.
   bool mayTakeOver(const std::string& client, const std::string& name, ConnectContext& context);
   /// Makes the connection by the lane that was asked for, or declines it.
-  kj::Promise<void> accept(const Asked& asked);
+  kj::Promise<void> accept(const ConnectAttempt& attempt);
   /// Resolves to the end that the lane makes; nothing: the request has been refused.
-  kj::Promise<kj::Maybe<AcceptedEnd>> make(LaneServer& lane, const Asked& asked);
-  void accepted(const Asked& asked, AcceptedEnd accepted);
+  kj::Promise<kj::Maybe<AcceptedEnd>> make(LaneServer& lane, const ConnectAttempt& attempt);
+  void accepted(const ConnectAttempt& attempt, AcceptedEnd accepted);
   /// Tells the caller why it cannot have that lane, and the operator if something went wrong.
   void decline(ConnectContext context, const kj::Exception& why);
   /// Returns the lane of that name in this session; nullptr: this process has no such lane.
