@@ -80,7 +80,7 @@ class ArmWatch {
   void hold() {
     if (arm_.hold()) streams_ = false;
   }
-  /// Lets prepare() ask again for what the arm is not, which an operator must have decided.
+  /// Lets prepare() enable and home the arm once more, if it is not. An operator has to decide it.
   void permit() {
     enableAsked_ = isEnabled();
     homeAsked_ = homed_;
@@ -96,8 +96,8 @@ class ArmWatch {
   bool brokenOff_ = false;
   bool streams_ = false, fellSilent_ = false;
   bool refuses_ = false;
-  bool enableAsked_ = false;  // or it has been enabled since somebody permitted it
-  bool homeAsked_ = false;    // and so with its home
+  bool enableAsked_ = false;  // prepare() has asked since permit(), or the arm was enabled
+  bool homeAsked_ = false;    // the same of its home
   bool homing_ = false;       // by this object
 };
 

@@ -28,10 +28,10 @@ struct SUTURE_TYPE() MtmParameters {
   /// can do, so this is our own. The da Vinci Research Kit's moves keep to 0.785 rad/s2, the roll's
   /// to 6.28 (mtsIntuitiveResearchKitMTM.cpp: m_trajectory_j.a_max).
   SUTURE_FIELD(unit("rad/s2"), range(0.1, 1000)) double angular_acceleration = 40;
-  /// A rotating joint that trails its set-point by more than this faults the arm. One servo goal
-  /// may lie 0.4 rad ahead of the set-point at these rates (servo_horizon), behind which the joints
-  /// trail by rate x time constant already. Goals that run ahead of the joints by more fault the
-  /// arm, though each is near the one before.
+  /// A rotating joint that trails its set-point by more than this faults the arm. At these rates a
+  /// servo goal may lie 0.4 rad ahead of the set-point (servo_horizon), and the joints trail the
+  /// set-point by rate x time constant. Goals that run further ahead of the joints fault the arm,
+  /// though each is near the one before.
   SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
   /// A joint whose encoder measures a motion of more than this many times what the joint can do
   /// faults the arm.

@@ -29,13 +29,15 @@ struct SUTURE_TYPE() AssistantParameters {
   suture::Duration patience = std::chrono::milliseconds(500);
 };
 
-/// Releases the stop with which a coordinator starts, if it finds that pressed when it starts
-/// itself, and presses and releases it once by the script. Later it releases no stop that somebody
-/// else has pressed, and does not press one more. It enables what waits for its arms because they
-/// lost their power: by a stop, or as a console says by drives that stopped by themselves. For each
-/// loss it does so once. For the same reason it brings a system up again that goes down before it
-/// was up. It leaves alone what waits for another reason, such as an arm in FAULT, or one that
-/// somebody has disabled or unhomed.
+/// If the stop with which a coordinator starts is pressed when the assistant starts, it releases
+/// that. By the script it presses the stop once and releases it. It releases no stop that somebody
+/// else has pressed later, and presses none that is pressed already.
+///
+/// Arms lose their power by a stop, or, as a console says, because their drives stopped by
+/// themselves. After each loss the assistant once enables what waits for its arms because of it. If
+/// the system goes down because of it before it was up, the assistant brings it up again. It leaves
+/// alone what waits for another reason, such as an arm in FAULT, or an arm that somebody has
+/// disabled or unhomed.
 class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
  public:
   /// Throws suture::SetupError for a time that is not from 1 ms to a day; press_after may be 0.

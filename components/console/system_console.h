@@ -27,7 +27,7 @@ struct SUTURE_TYPE() SystemConsoleParameters {
   /// The system has these parts, and brings them up in this order: names of required interfaces of
   /// this console. All arms come before what moves them.
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> system;
-  /// An arm may take this long to be enabled, all of them to home, and a part to be left.
+  /// Each of these may take this long: to enable a part, to home all arms, to disable a part.
   suture::Duration patience = std::chrono::seconds(10);
   /// If it is true, the console brings the system up once, without being asked, when everything is
   /// there. It does not if an arm has homed before: then the console was restarted, and somebody

@@ -8,7 +8,7 @@ namespace robots {
 /// By default all joints are held, and the motors carry the arm's weight.
 template <int N>
 struct MotorOrder {
-  /// The motors give this beside what they give otherwise: in N.m, or in N for a prismatic joint.
+  /// The motors add this to what they give otherwise: in N.m, or in N for a prismatic joint.
   Eigen::Matrix<double, N, 1> effort = Eigen::Matrix<double, N, 1>::Zero();
   /// No set-point holds the joints for which this is true.
   Eigen::Array<bool, N, 1> released = Eigen::Array<bool, N, 1>::Constant(false);

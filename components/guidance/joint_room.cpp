@@ -12,8 +12,8 @@ namespace {
 
 using JacobianMatrix = Eigen::Matrix<double, 6, kTipJoints>;
 
-// Damps the inverse beside a singularity, where joints would seem to move without end. Elsewhere it
-// is within the error of taking the step for linear.
+// This damps the inverse near a singularity, where joints would seem to move without end. Elsewhere
+// it changes the result by less than the error of treating the step as linear.
 constexpr double kDamping = 1e-3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

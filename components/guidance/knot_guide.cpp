@@ -331,8 +331,8 @@ Vector3d KnotGuide::withoutHaste(const Vector3d& wish) const {
   return wish.cwiseMin(most).cwiseMax(-most);
 }
 
-/// What the fixtures forbid is not made up for later, but on the way to the target, so that a tip
-/// whose hand rests is not moved aside when they give way.
+/// What the fixtures forbid is made up for later only on the way to the target. So a tip whose hand
+/// rests is not moved aside when they give way.
 void KnotGuide::forget(const TipPair& wish, const TipPair& step) {
   left_.forget(wish.left - step.left - kept(wish.left, step.left), frames_.left_base);
   right_.forget(wish.right - step.right - kept(wish.right, step.right), frames_.right_base);

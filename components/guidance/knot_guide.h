@@ -72,10 +72,9 @@ struct SUTURE_TYPE() GuideParameters {
 /// (guidance/fixtures.h). If one arm's data are old, or the knot has not been seen lately, or the
 /// surgeon is not there or presses a pedal that takes the masters, both slaves hold. Each time that
 /// none of this is so any more they begin anew from where they are, once both carry out goals. They
-/// also do if a slave's set-point is not where it was sent, because the fixtures are about where
-/// the tips are. What the fixtures forbid is not made up for later, but on the way
-/// to the target. A slave that would refuse all
-/// further goals disables the guide.
+/// also begin anew if a slave's set-point is not where the guide sent it, because the fixtures
+/// judge where the tips are. What the fixtures forbid is made up for later only on the way to the
+/// target. If a slave would refuse all further goals, it disables the guide.
 class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
  public:
   /// Throws suture::SetupError for a line of approach without a direction, a scale that is not

@@ -21,8 +21,8 @@ Vector3d directionAcross(const Vector3d& axis, const Vector3d& wanted, const Vec
   Vector3d direction = across(axis, wanted);
   if (direction.norm() <= kOpenLength) direction = across(axis, otherwise);
   if (direction.norm() <= kOpenLength) return axis.unitOrthogonal();
-  // The part of a long vector that is across has a rounding error along the axis, which may be much
-  // of a short part.
+  // The rounding error of across() lies along the axis and grows with the whole vector, so it may
+  // be large beside a short part. The second call takes it off.
   return across(axis, direction.normalized()).normalized();
 }
 

@@ -40,7 +40,7 @@ struct SUTURE_TYPE() OperatorParameters {
   SUTURE_FIELD(unit("rad/s"), range(0.1, 20)) double crossover_frequency = 3;
   /// This time passes from seeing to moving; it is not below zero.
   suture::Duration delay = std::chrono::milliseconds(200);
-  /// What is seen has this noise: its power in each rad/s divided by the power of the error.
+  /// What is seen has noise. This is its power in each rad/s, divided by the power of the error.
   SUTURE_FIELD(range(0, 1)) double remnant = 0.01;
   /// Equal seeds and pictures give equal noise and tremor.
   std::uint32_t seed = 1;

@@ -15,16 +15,17 @@ struct MoveRatios {
   double velocity = 1, acceleration = 1;
 };
 
-/// Immutable; never allocates. All joints stop together. Each brakes at a constant rate from the
-/// velocity that it has, and in addition goes along a minimum-jerk profile from where it would stop
-/// to its goal. Braking has half of the acceleration limit, and the profile of a joint that brakes
-/// at most the other half, so the sum of both keeps the limit, and no joint becomes faster than it
-/// was or than half of its rate limit. Braking takes half of the time at most, so a joint turns
-/// round at most once, and in the second half its way to the goal only becomes shorter.
+/// Immutable; never allocates. All joints stop together. The motion of a joint is the sum of two:
+/// it brakes at a constant rate from the velocity that it has, and it goes along a minimum-jerk
+/// profile from where braking alone would stop it to its goal. Braking has half of the acceleration
+/// limit, and the profile of a joint that brakes has at most the other half, so the sum keeps the
+/// limit. No joint becomes faster than it was, or than half of its rate limit if that is more.
+/// Braking takes at most half of the time. So a joint turns round at most once, and in the second
+/// half it only comes nearer to its goal.
 ///
-/// If a joint would brake beyond its limit like that, all of them brake first, with the whole
-/// acceleration limit, and go along the profile after that. A joint that has too little room even
-/// so brakes as hard as it must, because it never passes its limit of position.
+/// If a joint would pass its limit of position while it brakes like that, all joints brake first,
+/// with the whole acceleration limit, and go along the profile after that. A joint that has too
+/// little room even for this brakes as hard as it must, because it never passes its limit.
 template <int N>
 class JointMove {
  public:
