@@ -6,7 +6,7 @@
 namespace suture::compiler::check {
 namespace {
 
-// A connection says in a word of 64 bits which reads it asks for, and in another which events.
+// A connection has a word of 64 bits with a bit for each read that it asks for, and one for events.
 constexpr std::size_t kMost = 64;
 
 /// This is a read or an event of a contract.

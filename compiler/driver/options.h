@@ -13,7 +13,7 @@ struct Options {
   std::string targetName = "headers";
   std::string baseDirectory = ".";
   std::string outputDirectory;
-  std::map<std::string, unsigned> sources;  ///< files of each kind, by the path of a big header
+  std::map<std::string, unsigned> sources;  ///< how many of each kind, by the path of a big header
   std::vector<std::string>
       lockDirectories;            ///< the first is the target's own, and written by --update-lock
   std::string depfile, stamp;     ///< "" = none

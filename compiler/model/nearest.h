@@ -7,9 +7,9 @@
 
 namespace suture::compiler::model {
 
-/// Returns the nearest of `known` by the number of letters to change, or none if no slip explains
-/// the difference. Up to a third of the letters are slips, or two, but never all; and either name
-/// may be the other one cut off.
+/// Returns the one of `known` that is made of `name` by changing the fewest letters; none if even
+/// that is no slip. A slip changes at most two letters, or a third of them if that is more, and
+/// never all. A name that is the beginning of the other is a slip too.
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known);
 

@@ -20,10 +20,10 @@ struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
       $Meta.unit("rad/s");
   followingError @3 :Float64 = 0.8 $Meta.cxx("following_error")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("rad");
-  # A rotating joint that trails its set-point by more than this faults the arm. One servo goal
-  # may lie 0.4 rad ahead of the set-point at these rates (servo_horizon), behind which the joints
-  # trail by rate x time constant already. Goals that run ahead of the joints by more fault the
-  # arm, though each is near the one before.
+  # A rotating joint that trails its set-point by more than this faults the arm. At these rates a
+  # servo goal may lie 0.4 rad ahead of the set-point (servo_horizon), and the joints trail the
+  # set-point by rate x time constant. Goals that run further ahead of the joints fault the arm,
+  # though each is near the one before.
   servoHorizon @4 :Float64 = 0.1 $Meta.cxx("servo_horizon")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
   # A servo goal may lie as far from the set-point as the joints can move in this time at their

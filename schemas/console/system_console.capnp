@@ -12,7 +12,7 @@ struct SystemConsoleParameters @0xff4a2484b55948bb $Meta.cxx("robots::SystemCons
   # The system has these parts, and brings them up in this order: names of required interfaces of
   # this console. All arms come before what moves them.
   patience @2 :Int64 = 10000000000 $Meta.period("1/1000000000");
-  # An arm may take this long to be enabled, all of them to home, and a part to be left.
+  # Each of these may take this long: to enable a part, to home all arms, to disable a part.
   bringUpByItself @3 :Bool $Meta.cxx("bring_up_by_itself");
   # If it is true, the console brings the system up once, without being asked, when everything is
   # there. It does not if an arm has homed before: then the console was restarted, and somebody

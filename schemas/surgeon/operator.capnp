@@ -20,7 +20,7 @@ struct OperatorParameters @0xaf56e73ffd937125 $Meta.cxx("robots::OperatorParamet
   delay @4 :Int64 = 200000000 $Meta.period("1/1000000000");
   # This time passes from seeing to moving; it is not below zero.
   remnant @5 :Float64 = 0.01 $Meta.range(lowest = 0, highest = 1);
-  # What is seen has this noise: its power in each rad/s divided by the power of the error.
+  # What is seen has noise. This is its power in each rad/s, divided by the power of the error.
   seed @6 :UInt32 = 1;
   # Equal seeds and pictures give equal noise and tremor.
   tremor @7 :Float64 = 0.0001 $Meta.range(lowest = 0, highest = 0.002) $Meta.unit("m");

@@ -86,7 +86,7 @@ TEST_P(Explorer, FindsNothingUnderNewSeeds) {
   }
   EXPECT_EQ(answered, count);
   EXPECT_GE(harms, count);
-  std::printf("%lu worlds were done harm %u times", count, harms);
+  std::printf("%lu worlds met %u harms", count, harms);
   for (const auto& [lane, worlds] : lanes) std::printf(", %lu on %s", worlds, lane.c_str());
   std::printf(".\n");
 }

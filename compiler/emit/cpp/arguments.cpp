@@ -38,7 +38,7 @@ void emitStruct(Code& code, const Context& context, const model::Command& comman
   code.close("};").blank();
 }
 
-/// Names the slot within store() as no parameter of the command is named.
+/// Returns a name for the slot in store() that no parameter of the command has.
 std::string slotName(const model::Command& command) { return freeName("slot", command.parameters); }
 
 std::string storeSignature(const Context& context, const model::Command& command,

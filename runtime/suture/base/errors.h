@@ -56,8 +56,8 @@ const char* toString(Errc error);
 template <class T = void>
 using Result = tl::expected<T, Errc>;
 
-/// Any thread. Returns what a command without a value answers. `Nothing` is void: as this is a
-/// template, only files that use Result<void> compile it, and not all that include this header.
+/// Any thread. Returns what a command without a value answers. `Nothing` is always void: a template
+/// costs the files that include this header nothing unless they use it.
 template <class Nothing>
 Result<Nothing> resultOf(Errc error) {
   static_assert(std::is_void_v<Nothing>);

@@ -35,9 +35,9 @@ struct SentCodec {
   wire::Sent::Reader (*of)(capnp::AnyPointer::Reader parameters);
 };
 
-/// Finds where the results of a read say when the value was produced, and the parameters of an
-/// event when it was emitted; the results of other commands do not say it. Stamps are of the
-/// sender's steady clock, in ns.
+/// Finds the stamp of a message: the results of a read say when the value was produced, and the
+/// parameters of an event when it was emitted. Results of other commands have no stamp. Stamps are
+/// of the sender's steady clock, in ns.
 struct StampCodec {
   void (*set)(capnp::AnyPointer::Builder message,
               std::int64_t stamp) = [](capnp::AnyPointer::Builder, std::int64_t) {};
@@ -118,8 +118,9 @@ Errc decodeNoColumn(typename Row::Reader, unsigned, std::byte*, Duration) {
   return Errc::Invalid;
 }
 
-/// `Parameters` is that of the method; each column's slot is a member of `Row`. An older receiver
-/// knows two sets of columns: one that the contract does not admit is in both.
+/// `Parameters` is that of the method; each column's slot is a member of `Row`. A message has two
+/// sets of columns: a column with a value that the contract does not admit is in both, because
+/// older receivers know no third.
 template <class Parameters, class Row,
           void (*kEncode)(unsigned, const std::byte*, typename Row::Builder) = encodeNoColumn<Row>,
           Errc (*kDecode)(typename Row::Reader, unsigned, std::byte*, Duration) =

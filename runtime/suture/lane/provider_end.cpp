@@ -29,7 +29,7 @@ void ProviderEnd::close() {
   ending();
   channel_->status = ChannelStatus::Closed;
   channel_->ends.provider->ring();
-  channel_->ends.client->ring();  // a thread that carries it drops it then
+  channel_->ends.client->ring();  // if a thread carries this channel, it drops it
 }
 
 void ProviderEnd::end() {

@@ -42,7 +42,7 @@ class Outcome {
     });
   }
 
-  /// Waits a little longer than `deadline`: the control thread itself settles at the deadline
+  /// Waits 1 s longer than `deadline`, because at the deadline the control thread itself settles,
   /// unless it hangs.
   T wait(Duration deadline) {
     constexpr Duration kLater = std::chrono::seconds(1);

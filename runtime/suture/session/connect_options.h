@@ -12,7 +12,7 @@ namespace suture {
 /// Holds what Manager::connect() gets beside the two interfaces.
 ///   manager.connect("Teleop/Slave", "psm-host:PSM/Arm", {.patience = 1min});
 struct ConnectOptions {
-  /// Says how long it waits for another process to appear.
+  /// This is how long connect() waits for another process to appear, without a `patience`.
   static constexpr Duration kDefaultPatience = std::chrono::seconds(10);
 
   /// A lane other than Lane::Auto is used within the process as well. If it cannot be had, the next

@@ -33,8 +33,8 @@ nlohmann::json placesOf(BoundedLevels levels) {
   return places;
 }
 
-/// Returns FNV-1a, 64 bits. A collision is no use to an attacker, because what lies in the memory
-/// is not trusted.
+/// Returns the FNV-1a hash of 64 bits. An attacker gains nothing by a collision, because what lies
+/// in the memory is not trusted.
 std::string digest(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char byte : text) {
@@ -81,7 +81,7 @@ bool hidesStamps(const InterfaceInfo& info) {
                   [](const EventInfo& one) { return one.shiftPayload != nullptr; });
   if (shown) return false;
   const auto description = nlohmann::json::parse(info.description);
-  // If nothing is said of types, some may have them.
+  // A description without commands says nothing of types, so some of these may have stamps.
   return !description.contains("commands") || hasSteadyClock(description);
 }
 

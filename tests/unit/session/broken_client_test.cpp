@@ -373,7 +373,7 @@ TEST_F(BrokenNeighbour, MayConnectAgainAfterGivingUp) {
   EXPECT_EQ(client.openArm(1), "");
 }
 
-// It has only the capability to let go of, which tells by itself that nobody uses the interface.
+// Such a client only drops its capability. That tells the process that nobody uses the interface.
 TEST_F(BrokenClient, MayOpenAgainAfterLettingGo) {
   Client client(manager());
   client.greet();

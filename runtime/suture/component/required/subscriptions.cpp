@@ -28,9 +28,9 @@ Errc Subscriptions::subscribe(std::uint16_t event, Handler handler, bool direct)
   return Errc{};
 }
 
-// The last value of a latched event is older than its subscription, as those are that wait in the
-// queue: so these are told apart by their place, and other events by their stamp, because they may
-// still be on their way.
+// A subscription hears no event from before it began. Such an event may still be on its way, so its
+// stamp tells. A latched event is told by its place in the queue instead: its last value, which the
+// subscriber is to hear, is older than the subscription too.
 void Subscriptions::begin(std::uint16_t event) {
   heard_[event].since = now();
   Channel* const channel = attachment_.channel().get();

@@ -77,9 +77,9 @@ class Task : public Component {
   const TaskActivity& activity() const {
     return lender_ == nullptr ? activity_ : static_cast<const Task*>(lender_)->activity();
   }
-  /// Before start(): a fault is followed by onFault() and then by a restart, as long as the budget
-  /// lasts; then the task stays faulted. Without a budget it stays so at once, and so it does if it
-  /// had not run yet or was not to: the fault came while it was configured, started or suspended.
+  /// Before start(): after a fault onFault() is called, and then the task is restarted, as long as
+  /// the budget lasts. After that the task stays faulted. It stays so at once without a budget, or
+  /// if the fault came while it was configured, started or suspended.
   /// The restart waits while a provider is lost and the contract of its connection has on_loss
   /// Fault. Throws SetupError for more than RestartBudget::kMost, or if `per` is not greater than
   /// zero.
@@ -139,8 +139,8 @@ class Task : public Component {
   void makeSafe();
   bool tryOnFault();
   bool budgetLasts();
-  /// Returns true while a provider is lost without which the contract of its connection lets it not
-  /// run.
+  /// Returns true while a provider is lost and the contract of its connection has on_loss Fault:
+  /// then the task must not run.
   bool lacksProvider();
   bool goesOn() const;
   void work();

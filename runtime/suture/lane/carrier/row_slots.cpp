@@ -15,7 +15,8 @@ RowSlots::RowSlots(const InterfaceInfo& contract, std::size_t head) : head_(head
 std::span<std::byte* const> RowSlots::of(rt::ColumnSet columns) {
   if (columns == columns_ && !memory_.empty()) return slots_;
   columns_ = columns;
-  memory_.assign(bytes_ / sizeof(std::uint64_t), 0);  // no value of another column may stay
+  // Else the value of a column that was wanted before would stay.
+  memory_.assign(bytes_ / sizeof(std::uint64_t), 0);
   std::byte* end = memory().data() + head_;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const bool wanted = (columns >> i & 1) != 0;

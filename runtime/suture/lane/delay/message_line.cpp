@@ -56,7 +56,8 @@ void MessageLine::commit() {
   if (fate_.stall > Duration{0}) stalledUntil_ = std::max(stalledUntil_, now() + fate_.stall);
 }
 
-// Makes the duplicate come later than the message itself, and so later than what that waits behind.
+// The duplicate is due later than the message itself. So it comes later than all that the message
+// waits behind, too.
 void MessageLine::duplicate() {
   std::byte* const again = line_.claim(line_.claimedDue() + fate_.duplicateLater, claimedSize_,
                                        DelayLine::Order::Overtakable);

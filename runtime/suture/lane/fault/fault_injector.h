@@ -11,7 +11,7 @@ namespace suture {
 /// Says which faults one message meets.
 struct Fate {
   bool lost = false;
-  bool overtakable = false;  ///< `later` holds only for it, not for what follows
+  bool overtakable = false;  ///< what follows does not wait while this one is late
   bool duplicated = false;
   Duration later{0};           ///< it takes this much longer
   Duration duplicateLater{0};  ///< its duplicate takes this much longer than the message

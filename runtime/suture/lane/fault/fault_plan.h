@@ -32,11 +32,11 @@ struct FaultPlan {
   Duration holdBack = std::chrono::milliseconds(5);
   double delay = 0;  ///< chance to take `delayLength` longer; what follows waits behind it
   Duration delayLength = std::chrono::milliseconds(20);
-  /// The chance that a message which takes longer takes as much longer again, and so on, because
-  /// what a stream repeats may be lost again.
+  /// The chance that a delayed message is delayed by as much once more, and so on: a stream repeats
+  /// what was lost, and may lose the repetition too.
   double delayAgain = 0;
   Duration jitter{0};  ///< each takes up to this much longer, so that others may overtake
-  /// Lets jitter make none overtake: what follows waits behind a late one, as it does on a stream.
+  /// Jitter keeps the order then: what follows a late message waits behind it, as on a stream.
   bool ordered = false;
   double stall = 0;  ///< chance that nothing arrives in this direction for `stallLength`
   Duration stallLength = std::chrono::milliseconds(100);

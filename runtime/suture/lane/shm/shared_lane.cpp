@@ -89,8 +89,8 @@ class SharedServer final : public LaneServer {
   void opened(LaneSocket) override {}
 
  private:
-  // The rows are those of the provided contract, which may have more reads than the one that the
-  // client knows. With pointers in them they do not lie in memory that another process can map.
+  // The rows have the reads of the provided contract, and these may be more than the client knows.
+  // If a value in them has pointers, the rows do not lie in memory that another process can map.
   static std::string whyNot(const IncomingConnection& connection, const std::string& layout) {
     if (connection.readOnly) return "the policy gives it for reading only";
     if (std::string why = whyOtherSlots(connection.contract, layout); !why.empty()) return why;

@@ -1,5 +1,6 @@
 #pragma once
-// A client gets this news of its provider in another process, also before the connection is made.
+// This receives the news of a provider in another process for its client. News may come before the
+// connection is made.
 
 #include <suture/lane/client_end.h>
 #include <suture/loop/kj_comparisons.h>  // first

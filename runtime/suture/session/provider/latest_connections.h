@@ -18,7 +18,7 @@ class LatestConnections {
     std::string bootId;  // of the peer's machine, whose clock gave the epoch
     std::int64_t epoch;
     std::uint64_t incarnation;  // of the peer's process; 0: it does not say
-    std::uint64_t greeting;     // which of all that this process has had began the session
+    std::uint64_t greeting;     // by which the session began: nextGreeting() numbers them
     ProviderEnd* end;
   };
 

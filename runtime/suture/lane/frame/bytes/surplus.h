@@ -11,9 +11,9 @@
 
 namespace suture::frame {
 
-/// One thread. A newer peer's values may be larger than a contract says here, but not without end:
-/// all connections of a link together may take this much for that, and a peer that has called this
-/// process no more than its budget has left.
+/// One thread. A newer peer's values may be larger than contracts say here. This bounds what they
+/// take beyond that: all connections of a link together may take kMost bytes, and if the peer has
+/// called this process, no more than the peer's budget has left.
 class Surplus {
  public:
   static constexpr std::size_t kMost = std::size_t{64} << 20;
