@@ -5,6 +5,7 @@
 #include <suture/deploy/process/security.h>
 #include <suture/lane/lane_kind.h>
 #include <suture/lane/lane_refusals.h>
+#include <suture/names/peer_address.h>
 
 #include <algorithm>
 #include <map>
@@ -54,12 +55,16 @@ void Host::createManager() {
   const Security ours = securityOf(deployment_, process_, warnings_);
   try {
     manager_ = address.empty() ? std::make_unique<Manager>(process_.name)
-                               : std::make_unique<Manager>(process_.name, address, ours, patience_);
+                               : std::make_unique<Manager>(process_.name, address, ours, patience_,
+                                                           process_.port);
     for (std::size_t i = 0; i < components().size(); ++i) {
       manager_->add(process_.components[i].name, *components()[i]);
     }
   } catch (const SetupError& error) {
-    throw DocumentError({deployment_.document().locate("/manager", error.what())});
+    const std::string_view why = error.what();
+    const bool ofPort = why.starts_with(portAsked(process_.name, process_.port));
+    throw DocumentError({deployment_.document().locate(
+        ofPort ? process_.pointer + "/port" : "/manager", error.what())});
   }
 }
 

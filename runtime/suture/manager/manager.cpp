@@ -86,11 +86,12 @@ Manager::Manager(std::string process, const std::string& address, Duration patie
     : Manager(std::move(process), address, Security{}, patience) {}
 
 Manager::Manager(std::string process, const std::string& address, const Security& security,
-                 Duration patience)
+                 Duration patience, std::uint16_t port)
     : directory_(std::move(process)) {
   network_ = std::make_unique<Network>(
       directory_, address, [this](ProvidedBase& provided) { return serverOf(provided); },
-      [this](const Component& component) { return taskServing(component); }, patience, security);
+      [this](const Component& component) { return taskServing(component); }, patience, security,
+      port);
 }
 
 // Any thread. Returns the doorbell of what serves an interface for remote clients: its task or an

@@ -8,6 +8,7 @@
 #include <suture/wiring/directory.h>
 
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -46,8 +47,10 @@ class Manager {
   /// none answers there within `patience`, or if the name is taken.
   Manager(std::string process, const std::string& address, Duration patience = kDefaultPatience);
   /// Does the same with keys, which tls:// needs, or with a policy (suture/names/security.h).
+  /// `port` is where other processes reach this one at tls:// and tcp://; 0: the kernel takes a
+  /// free one. Throws SetupError also if the port is taken, or if `address` is a unix: one.
   Manager(std::string process, const std::string& address, const Security& security,
-          Duration patience = kDefaultPatience);
+          Duration patience = kDefaultPatience, std::uint16_t port = 0);
   ~Manager();
   Manager(const Manager&) = delete;
   Manager& operator=(const Manager&) = delete;

@@ -73,9 +73,25 @@ net::Address longestPeerAddress(const net::Address& manager, const std::string& 
   return socketOf(directoryOf(manager), process, kLargestNumber);
 }
 
-net::Address peerAddress(const ManagerLink& link, const std::string& process) {
+std::string portAsked(const std::string& process, std::uint16_t port) {
+  return "give process '" + process + "' port " + std::to_string(port);
+}
+
+void requireHasPorts(const net::Address& manager, const std::string& process, std::uint16_t port) {
+  if (port == 0 || manager.kind != net::Address::Kind::Unix) return;
+  throw SetupError(portAsked(process, port),
+                   "the global manager is at " + manager.text() +
+                       ", where a process listens at a file and has no port",
+                   "Leave the port out, or give the manager a tls:// address.");
+}
+
+net::Address peerAddress(const ManagerLink& link, const std::string& process, std::uint16_t port) {
   const net::Address& manager = link.address();
-  if (manager.kind != net::Address::Kind::Unix) return link.here();
+  if (manager.kind != net::Address::Kind::Unix) {
+    net::Address here = link.here();
+    here.port = port;
+    return here;
+  }
   const fs::path directory = directoryOf(manager);
   removeLeftovers(directory, process);
   return socketOf(directory, process, getpid());

@@ -122,6 +122,8 @@ std::string Address::text() const {
          std::to_string(port) + std::string(insecure ? kInsecure : "");
 }
 
+bool Address::isLoopback() const { return kind != Kind::Unix && net::isLoopback(host); }
+
 bool Address::isNumeric() const { return kind == Kind::Unix || isNumber(host); }
 
 std::vector<Address> parseAddresses(const std::string& text) {

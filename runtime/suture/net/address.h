@@ -24,6 +24,8 @@ struct Address {
   std::string text() const;
   /// Returns true if it needs no name service.
   bool isNumeric() const;
+  /// Returns true if it is a number that leads to this machine only.
+  bool isLoopback() const;
 
   Kind kind = Kind::Unix;
   std::string path;  ///< Unix

@@ -37,8 +37,9 @@ bool isOtherThanASocket(const Address& address) {
                      "Remove it, or choose another address with --listen.");
   }
   if (error == EADDRINUSE) {
-    throw SetupError(asked, "another process listens there",
-                     "Stop it, or choose another address with --listen.");
+    throw SetupError(
+        asked, "another process listens there",
+        "Stop it, or choose another address: --listen of a manager, the port of a process.");
   }
   throw SetupError(asked, std::strerror(error),
                    address.kind == Address::Kind::Unix

@@ -60,12 +60,16 @@ std::uint64_t newIncarnation() {
 class Network::Impl {
  public:
   Impl(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
-       TaskOf taskOf, Duration patience, const Security& security)
-      : directory_(directory), managers_(net::parseAddresses(managerAddress)), security_(security) {
+       TaskOf taskOf, Duration patience, const Security& security, std::uint16_t port)
+      : directory_(directory),
+        managers_(net::parseAddresses(managerAddress)),
+        security_(security),
+        port_(port) {
     if (const std::string why = whyNoName(directory_.process()); !why.empty()) {
       throw SetupError(why);
     }
     net::requireKeys(managers_.front(), security_.trust());
+    requireHasPorts(managers_.front(), directory_.process(), port_);
     try {
       patience = std::min(patience, kLongestPatience);
       run(control_, patience + kLocalWork,
@@ -226,9 +230,7 @@ class Network::Impl {
                               howToStartManager(managers_.front());
     return tellIfLong(link_->open(patience), waits)
         .then([this, serverOf = std::move(serverOf), taskOf = std::move(taskOf)]() mutable {
-          host_ = std::make_unique<PeerHost>(
-              control_, lanes_, directory_, std::move(serverOf), std::move(taskOf),
-              peerAddress(*link_, directory_.process()), security_, incarnation_);
+          host_ = listen(std::move(serverOf), std::move(taskOf));
           return link_->enrol({.name = directory_.process(),
                                .addresses = {host_->address().text()},
                                .pid = getpid(),
@@ -236,6 +238,19 @@ class Network::Impl {
                                .components = {},
                                .generation = 0});
         });
+  }
+
+  // Says which process is to have a port that it cannot have.
+  std::unique_ptr<PeerHost> listen(ServerOf serverOf, TaskOf taskOf) {
+    const std::string& process = directory_.process();
+    try {
+      return std::make_unique<PeerHost>(control_, lanes_, directory_, std::move(serverOf),
+                                        std::move(taskOf), peerAddress(*link_, process, port_),
+                                        security_, incarnation_);
+    } catch (const SetupError& error) {
+      if (port_ == 0) throw;
+      throw SetupError(portAsked(process, port_) + ": " + error.what());
+    }
   }
 
   // Ends what belongs to the control thread, in that thread. Returns why it failed; "" if it did
@@ -292,6 +307,7 @@ class Network::Impl {
   const Directory& directory_;
   const std::vector<net::Address> managers_;  // all of one kind
   const Security security_;
+  const std::uint16_t port_;  // 0: the kernel takes one
   const std::uint64_t incarnation_ = newIncarnation();
   loop::ControlThread control_;
   Lanes lanes_ = makeLanes();
@@ -308,9 +324,9 @@ class Network::Impl {
 };
 
 Network::Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
-                 TaskOf taskOf, Duration patience, const Security& security)
+                 TaskOf taskOf, Duration patience, const Security& security, std::uint16_t port)
     : impl_(std::make_unique<Impl>(directory, managerAddress, std::move(serverOf),
-                                   std::move(taskOf), patience, security)) {}
+                                   std::move(taskOf), patience, security, port)) {}
 
 Network::~Network() = default;
 

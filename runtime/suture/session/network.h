@@ -12,6 +12,7 @@
 #include <suture/session/connect_options.h>
 #include <suture/wiring/directory.h>
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -33,9 +34,10 @@ class Network {
   using TaskOf = std::function<const Task*(const Component&)>;
 
   /// Listens, and registers the process at the global managers. `managerAddress` is one address or
-  /// several, separated by commas. Throws SetupError.
+  /// several, separated by commas. It listens at `port` of tls:// and tcp://; 0: at one that the
+  /// kernel takes. Throws SetupError.
   Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
-          TaskOf taskOf, Duration patience, const Security& security = {});
+          TaskOf taskOf, Duration patience, const Security& security = {}, std::uint16_t port = 0);
   ~Network();
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;

@@ -163,12 +163,6 @@ class Starting(Stations):
         self.assertEqual((station.returncode, problems),
                          (1, "one: write reports: No space left on device. None is written any more: make room, or give another file with --report-fd\n"))
 
-    def await_line(self, station, end):
-        for line in station.stderr:
-            if line.endswith(end):
-                return
-        self.fail(f"it ended before it said {end}")
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -48,3 +48,9 @@ class Stations(unittest.TestCase):
         while not condition():
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.01)
+
+    def await_line(self, station, end):
+        for line in station.stderr:
+            if line.endswith(end):
+                return
+        self.fail(f"it ended before it said {end}")

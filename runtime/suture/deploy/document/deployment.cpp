@@ -2,6 +2,7 @@
 #include <suture/deploy/document/deployment.h>
 #include <suture/deploy/document/schema_check.h>
 #include <suture/lane/lanes.h>
+#include <suture/names/peer_address.h>
 #include <suture/net/address.h>
 
 #include <algorithm>
@@ -68,6 +69,7 @@ void Deployment::readAll() {
   checkNames();
   checkSingleProviders();
   checkManager();
+  if (problems_.empty()) checkPorts();
 }
 
 // The path of a socket counts from the folder of the file, like all paths in it.
@@ -94,6 +96,7 @@ void Deployment::readProcesses() {
                          .components = {},
                          .blackBox = readBlackBox(given, pointer),
                          .scheduling = readScheduling(given, pointer),
+                         .port = given.value("port", std::uint16_t{0}),
                          .lockMemory = given.value("lock_memory", false),
                          .realTimeRequired = given.value("real_time", "preferred") == "required",
                          .pointer = pointer};
@@ -389,6 +392,41 @@ void Deployment::checkManager() {
            "lane \"" + toString(connection.options.lane) +
                "\" needs a global manager, and key 'manager' is missing; give its address, "
                "or use lane \"auto\"");
+  }
+}
+
+bool Deployment::isOneMachine() const {
+  const auto managers = net::parseAddresses(manager_);
+  return std::all_of(managers.begin(), managers.end(),
+                     [](const net::Address& one) { return one.isLoopback(); });
+}
+
+// Where there are several machines, the file does not say which process runs where: then the kernel
+// refuses a port that is taken.
+void Deployment::checkPorts() {
+  std::map<std::uint16_t, const ProcessEntry*> first;
+  for (const ProcessEntry& process : processes_) {
+    if (process.port == 0) continue;
+    const std::string where = process.pointer + "/port",
+                      asked = portAsked(process.name, process.port);
+    if (manager_.empty()) {
+      report(where, asked +
+                        ": key 'manager' is missing, so no other process looks for it. Give its "
+                        "address, for example \"tls://10.0.0.1:7700\", or leave the port out");
+      continue;
+    }
+    try {
+      requireHasPorts(net::parseAddresses(manager_).front(), process.name, process.port);
+    } catch (const SetupError& error) {
+      report(where, error.what());
+      continue;
+    }
+    const auto [existing, added] = first.emplace(process.port, &process);
+    if (added || !isOneMachine()) continue;
+    report(where, asked + ": process '" + existing->second->name + "' has that port, on line " +
+                      std::to_string(document_.lineOf(existing->second->pointer + "/port")) +
+                      ", and one machine runs both: no other reaches " + manager_ +
+                      ". Give each its own port");
   }
 }
 

@@ -10,6 +10,7 @@
 #include <suture/session/connect_options.h>
 #include <suture/wiring/endpoint.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -44,6 +45,7 @@ struct ProcessEntry {
   std::vector<ComponentEntry> components;
   std::optional<BlackBoxEntry> blackBox;
   std::optional<rt::Scheduling> scheduling;  ///< of the threads that carry connections
+  std::uint16_t port = 0;  ///< where others reach it; 0: one that the kernel takes
   bool lockMemory = false;
   bool realTimeRequired = false;  ///< what the machine does not grant is an error
   std::string pointer;            ///< its place in the document
@@ -114,6 +116,8 @@ class Deployment {
                      const std::string& pointer);
   void checkSingleProviders();
   void checkManager();
+  void checkPorts();
+  bool isOneMachine() const;
   void checkEndpoint(const Endpoint& endpoint, const std::string& pointer);
   void report(const std::string& pointer, const std::string& text);
 
