@@ -3,12 +3,13 @@
 import os
 import pathlib
 import random
+import signal
 import socket
 import unittest
 
 from stations import Stations, component
 
-LISTENS = "0A"
+ESTABLISHED, LISTENS = "01", "0A"
 
 
 def free_ports(count):
@@ -27,6 +28,12 @@ def free_ports(count):
     return found
 
 
+def sockets_at(state):
+    """Returns the local port and the inode of each TCP socket in that state."""
+    rows = [line.split() for line in pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]]
+    return [(int(row[1].split(":")[1], 16), row[9]) for row in rows if row[3] == state]
+
+
 def listening(process):
     """Returns the ports at which this process listens."""
     folder = pathlib.Path(f"/proc/{process.pid}/fd")
@@ -36,8 +43,7 @@ def listening(process):
             sockets.add(os.readlink(descriptor))
         except FileNotFoundError:  # it has closed that
             continue
-    rows = [line.split() for line in pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]]
-    return {int(row[1].split(":")[1], 16) for row in rows if row[3] == LISTENS and f"socket:[{row[9]}]" in sockets}
+    return {port for port, inode in sockets_at(LISTENS) if f"socket:[{inode}]" in sockets}
 
 
 class Ports(Stations):
@@ -61,10 +67,11 @@ class Ports(Stations):
         platter = self.started("there", "Platter")
         hand = self.started("here", "Hand")
         self.assertEqual(listening(hand), {self.here})
-        for _ in range(3):
+        for end in (signal.SIGTERM, signal.SIGKILL, signal.SIGTERM):
             self.assertEqual(listening(platter), {self.there})
-            platter.kill()  # its end of each connection closes first, so the kernel keeps it for a minute
-            platter.communicate()
+            self.await_true(lambda: self.there in [port for port, _ in sockets_at(ESTABLISHED)])
+            platter.send_signal(end)  # its ends of connections close first, so the kernel keeps them for a minute
+            platter.communicate(timeout=60)
             platter = self.started("there", "Platter")
         self.assertEqual(listening(platter), {self.there})
 
