@@ -34,7 +34,7 @@ capnp::Capability::Client turnAway(net::Refusals& refusals, const net::PeerIdent
 }
 
 LinkServer::LinkServer(loop::EventPort& port, const net::Address& address, Offer offer,
-                       net::Refusals& refusals, StreamLimits limits, std::size_t maxLinks,
+                       net::Refusals& refusals, StreamLimits limits, LinkLimits links,
                        const net::Trust& trust, Awaited awaited)
     : port_(port),
       trust_(usable(trust, address)),
@@ -43,7 +43,7 @@ LinkServer::LinkServer(loop::EventPort& port, const net::Address& address, Offer
       refusals_(refusals),
       awaited_(kj::mv(awaited)),
       limits_(limits),
-      maxLinks_(maxLinks),
+      most_(links),
       budget_(std::make_shared<PeerBudget>(kUnfinished)),
       tasks_(*this) {
   tasks_.add(listener_.listen([this](kj::AutoCloseFd socket) { accept(kj::mv(socket)); },
@@ -51,11 +51,11 @@ LinkServer::LinkServer(loop::EventPort& port, const net::Address& address, Offer
 }
 
 void LinkServer::accept(kj::AutoCloseFd socket) {
-  if (links_ == maxLinks_ + kMostTurnedAway) {
+  if (links_ == most_.all + kMostTurnedAway) {
     return refusals_.add(net::identityOf(socket).text(),
                          "talk to " + address().text() + ": " + tooMany());
   }
-  const Room room = links_++ < maxLinks_ ? Room::Is : Room::IsNot;
+  const Room room = links_++ < most_.all ? Room::Is : Room::IsNot;
   // A failure here, perhaps for lack of memory, ends only this connection.
   auto served = kj::evalNow([&] {
     return address().kind == net::Address::Kind::Tls ? secure(kj::mv(socket), room)
@@ -75,8 +75,13 @@ void LinkServer::cannotAccept(int error) {
 }
 
 std::string LinkServer::tooMany() const {
-  return "it has " + std::to_string(maxLinks_) +
+  return "it has " + std::to_string(most_.all) +
          " links, and no process has more. End some of its peers.";
+}
+
+std::string LinkServer::tooManyOf(const std::string& peer) const {
+  return std::to_string(most_.ofOne) + " of its links are with " + peer +
+         ", and no peer has more. End some of them.";
 }
 
 kj::Promise<void> LinkServer::secure(kj::AutoCloseFd socket, Room room) {
@@ -85,7 +90,23 @@ kj::Promise<void> LinkServer::secure(kj::AutoCloseFd socket, Room room) {
       .then([this, room](net::ByteStream bytes) { return open(kj::mv(bytes), room); });
 }
 
+// One peer that leaks its links must leave room to the others. Those that only hear so count too.
 kj::Promise<void> LinkServer::open(net::ByteStream bytes, Room room) {
+  const net::PeerIdentity who = bytes.peer();
+  if (who.proof == net::PeerIdentity::Proof::None) return begin(kj::mv(bytes), room);
+  const auto own = ofPeers_.try_emplace(who.text()).first;
+  if (own->second == most_.ofOne + kMostTurnedAway) {
+    refusals_.add(own->first, "talk to " + address().text() + ": " + tooManyOf(own->first));
+    return kj::READY_NOW;
+  }
+  if (own->second++ >= most_.ofOne && room == Room::Is) room = Room::IsNotForIt;
+  auto leaves = kj::defer([this, own] {
+    if (--own->second == 0) ofPeers_.erase(own);
+  });
+  return begin(kj::mv(bytes), room).attach(kj::mv(leaves));
+}
+
+kj::Promise<void> LinkServer::begin(net::ByteStream bytes, Room room) {
   return readPreamble(port_, kj::mv(bytes), limits_)
       .then([this, room](Opened opened) -> kj::Promise<void> {
         KJ_IF_MAYBE (token, opened.token) {
@@ -120,6 +141,7 @@ capnp::Capability::Client LinkServer::offerTo(const std::shared_ptr<Caller>& cal
   const net::PeerIdentity& who = caller->identity;
   const std::string asked = "talk to " + address().text() + ": ";
   if (room == Room::IsNot) return turnAway(refusals_, who, asked + tooMany());
+  if (room == Room::IsNotForIt) return turnAway(refusals_, who, asked + tooManyOf(who.text()));
   if (who.proof != net::PeerIdentity::Proof::User || net::isTrusted(who.user, trust_.users)) {
     return offer_(caller);
   }

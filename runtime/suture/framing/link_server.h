@@ -8,7 +8,9 @@
 #include <suture/net/refusals.h>
 #include <suture/net/secure.h>
 
+#include <map>
 #include <memory>
+#include <string>
 
 namespace suture::framing {
 
@@ -32,6 +34,12 @@ struct Caller {
 capnp::Capability::Client turnAway(net::Refusals& refusals, const net::PeerIdentity& who,
                                    const std::string& text);
 
+/// Limits the links of a server.
+struct LinkLimits {
+  std::size_t all = 1024;
+  std::size_t ofOne = all / 4;  ///< those with one certificate or one user
+};
+
 /// Belongs to the control thread. Accepts connections until it is destroyed, which closes all its
 /// links.
 class LinkServer final : private kj::TaskSet::ErrorHandler {
@@ -45,11 +53,11 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   /// Throws SetupError as Listener does, or if the address needs keys and `trust` has none. At
   /// tls:// a peer without a certificate of the CA gets no link. At unix: a peer that is run by a
   /// user who is not trusted gets a link on which it only hears why it is refused, and so does each
-  /// of a few peers beyond `maxLinks` at a time; any more are closed without an answer. All of them
-  /// are added to `refusals`.
+  /// of a few peers beyond `links` at a time; any more are closed without an answer. All of them
+  /// are added to `refusals`. At tcp:// nobody proves who it is, so only `links.all` holds there.
   LinkServer(
       loop::EventPort& port, const net::Address& address, Offer offer, net::Refusals& refusals,
-      StreamLimits limits = {}, std::size_t maxLinks = 1024, const net::Trust& trust = {},
+      StreamLimits limits = {}, LinkLimits links = {}, const net::Trust& trust = {},
       Awaited awaited = [](const Token&, net::ByteStream) {});
 
   const net::Address& address() const { return listener_.address(); }
@@ -57,14 +65,16 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
  private:
   void accept(kj::AutoCloseFd socket);
   void cannotAccept(int error);
-  /// Says if there was room for a link when its peer came.
-  enum class Room { Is, IsNot };
+  /// Says if there was room for a link when its peer came: for any, and for one more of that peer.
+  enum class Room { Is, IsNot, IsNotForIt };
 
   kj::Promise<void> secure(kj::AutoCloseFd socket, Room room);
   kj::Promise<void> open(net::ByteStream bytes, Room room);
+  kj::Promise<void> begin(net::ByteStream bytes, Room room);
   kj::Promise<void> serve(net::ByteStream bytes, std::span<const std::byte> begun, Room room);
   capnp::Capability::Client offerTo(const std::shared_ptr<Caller>& caller, Room room);
   std::string tooMany() const;
+  std::string tooManyOf(const std::string& peer) const;
   kj::Promise<void> whenStranger(std::shared_ptr<Caller> caller);
   void taskFailed(kj::Exception&& exception) override;
 
@@ -75,8 +85,9 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
   net::Refusals& refusals_;
   Awaited awaited_;
   StreamLimits limits_;
-  std::size_t maxLinks_;
+  LinkLimits most_;
   std::size_t links_ = 0;
+  std::map<std::string, std::size_t> ofPeers_;  // by what they have proved
   const std::shared_ptr<PeerBudget> budget_;
   kj::TaskSet tasks_;  // last: cancelled first
 };

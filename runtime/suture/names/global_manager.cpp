@@ -30,7 +30,7 @@ class GlobalManager::Impl {
         server_(
             control.port(), address,
             [this](std::shared_ptr<framing::Caller> caller) { return offerTo(std::move(caller)); },
-            refusals_, {.messageBytes = kMostOfAMessage}, kMostLinks, security.trust()) {}
+            refusals_, {.messageBytes = kMostOfAMessage}, {.all = kMostLinks}, security.trust()) {}
 
   std::string address() const { return server_.address().text(); }
 

@@ -31,6 +31,8 @@ class EchoScene : public testing::TestWithParam<const char*> {
     return std::string(GetParam()) == "unix" ? "unix:" + directory_.file("s") : "tcp://127.0.0.1:0";
   }
 
+  static constexpr LinkLimits kTwo{.all = 2, .ofOne = 2};
+
   /// A busy machine may take any time to send what a test sends.
   static StreamLimits patientLimits() {
     constexpr std::int64_t kPatience = 600'000;
@@ -40,14 +42,14 @@ class EchoScene : public testing::TestWithParam<const char*> {
             .helloMilliseconds = kPatience};
   }
 
-  void serve(std::size_t maxLinks = 2, const StreamLimits& limits = patientLimits()) {
+  void serve(LinkLimits links = kTwo, const StreamLimits& limits = patientLimits()) {
     server_ = kj::heap<LinkServer>(
         port_, net::Address::parse(freshAddress()),
         [this](auto&& caller) -> capnp::Capability::Client {
           caller->known = knows_;
           return Echo::Client(kj::heap<EchoServer>());
         },
-        refusals_, limits, maxLinks);
+        refusals_, limits, links);
   }
 
   kj::Own<Link> connect() {

@@ -4,6 +4,7 @@
 #include <suture/framing/link_server.h>
 #include <suture/loop/failure.h>
 #include <suture/net/dialer.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <memory>
@@ -104,7 +105,7 @@ TEST_P(LinkTest, AHostilePeerHurtsNoOthers) {
 TEST_P(LinkTest, AnswersThatAPeerKeepsAreBounded) {
   StreamLimits limits = patientLimits();
   limits.answerBytes = 1u << 20;
-  serve(2, limits);
+  serve(kTwo, limits);
   auto link = connect();
   auto client = link->bootstrap<Echo>();
   for (int i = 0; i < 10; ++i) EXPECT_EQ(echo(client, 400'000).wait(port_.scope()), 400'000u);
@@ -126,7 +127,7 @@ TEST_P(LinkTest, AnswersThatAPeerKeepsAreBounded) {
 TEST_P(LinkTest, QuestionsAtATimeAreBounded) {
   StreamLimits limits = patientLimits();
   limits.questions = 4;  // one of them asks for the server itself
-  serve(2, limits);
+  serve(kTwo, limits);
   auto link = connect();
   auto client = link->bootstrap<Echo>();
   for (int i = 0; i < 10; ++i) EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
@@ -146,6 +147,29 @@ TEST_P(LinkTest, APeerBeyondTheLimitIsTold) {
   EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
   const std::string fault = faultOf([&] { echo(third->bootstrap<Echo>(), 1).wait(port_.scope()); });
   EXPECT_NE(fault.find("it has 2 links"), std::string::npos) << fault;
+  EXPECT_NE(refusals_.summary().latest.find(fault), std::string::npos)
+      << refusals_.summary().latest;
+  third = nullptr;
+  first = nullptr;
+  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+  auto fourth = connect();
+  EXPECT_EQ(echo(fourth->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+}
+
+// Plain TCP does not prove who is who, so there all peers share the limit of all.
+TEST_P(LinkTest, APeerBeyondItsLimitIsTold) {
+  serve({.all = 8, .ofOne = 2});
+  auto first = connect();
+  auto second = connect();
+  auto third = connect();
+  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+  const std::string fault = faultOf([&] { echo(third->bootstrap<Echo>(), 1).wait(port_.scope()); });
+  if (server_->address().kind == net::Address::Kind::Tcp) {
+    EXPECT_EQ(fault, "");
+    return;
+  }
+  EXPECT_EQ(fault, "talk to " + server_->address().text() + ": 2 of its links are with user " +
+                       std::to_string(geteuid()) + ", and no peer has more. End some of them.");
   EXPECT_NE(refusals_.summary().latest.find(fault), std::string::npos)
       << refusals_.summary().latest;
   third = nullptr;
@@ -205,7 +229,7 @@ TEST_P(LinkTest, AStrangersMessagesAreSmall) {
 
 // All peers of plain TCP share one budget, as do all processes of one user.
 TEST_P(LinkTest, UnfinishedMessagesAreBoundedInSum) {
-  serve(8);
+  serve({.all = 8, .ofOne = 8});
   auto known = connect();
   auto client = known->bootstrap<Echo>();
   EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);

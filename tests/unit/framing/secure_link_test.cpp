@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <vector>
 
 #include "echo_server.h"
 #include "support/contains.h"
@@ -48,7 +49,7 @@ class SecureLinkTest : public testing::Test {
           last_ = caller->identity;
           return Echo::Client(kj::heap<EchoServer>());
         },
-        refusals_, limits_, 3, trust);
+        refusals_, limits_, links_, trust);
   }
   void serveTls() { serve("tls://127.0.0.1:0", trustOf("server")); }
 
@@ -92,6 +93,7 @@ class SecureLinkTest : public testing::Test {
   const TemporaryDirectory directory_;
   const std::filesystem::path keys_ = directory_.path() / "keys";
   StreamLimits limits_;
+  LinkLimits links_{.all = 3, .ofOne = 3};
   bool knows_ = true;
   net::PeerIdentity last_;
   loop::EventPort port_;
@@ -195,6 +197,22 @@ TEST_F(SecureLinkTest, HalfAHandshakeEndsInTime) {
   for (const auto& socket : held) EXPECT_TRUE(closes(port_, socket));
   EXPECT_GE(now() - begin, 900ms) << "not for another reason";
   EXPECT_EQ(echoed(*connect(trustOf("client")), 1), 1u) << "their places are free again";
+}
+
+TEST_F(SecureLinkTest, LeakedLinksShutOutNoOther) {
+  links_ = {.all = 24, .ofOne = 2};
+  serveTls();
+  std::vector<kj::Own<Link>> leaked;
+  for (int i = 0; i < 30; ++i) leaked.push_back(connect(trustOf("client")));
+  EXPECT_EQ(echoed(*leaked[1], 1), 1u);
+  EXPECT_EQ(echoed(*connect(trustOf("server")), 1), 1u) << "which is another peer";
+  EXPECT_EQ(callFault(*leaked[2]),
+            "talk to " + server_->address().text() +
+                ": 2 of its links are with process 'client', and no peer has more. End some of "
+                "them.");
+  EXPECT_TRUE(contains(refusals_.summary().latest, "are with process 'client'"));
+  leaked.clear();
+  EXPECT_EQ(echoed(*connect(trustOf("client")), 1), 1u) << "its places are free again";
 }
 
 TEST_F(SecureLinkTest, ASilentPeerIsClosedAfterHandshake) {

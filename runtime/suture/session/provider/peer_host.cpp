@@ -29,7 +29,8 @@ PeerHost::PeerHost(loop::ControlThread& control, const Lanes& lanes, const Direc
       server_(
           std::in_place, control.port(), address,
           [this](std::shared_ptr<framing::Caller> caller) { return offerTo(std::move(caller)); },
-          refusals_, framing::StreamLimits{}, kMostCallers, security.trust(),
+          refusals_, framing::StreamLimits{}, framing::LinkLimits{.all = kMostCallers},
+          security.trust(),
           [this](const framing::Token& token, net::ByteStream bytes) {
             arrived(token, kj::mv(bytes));
           }) {
