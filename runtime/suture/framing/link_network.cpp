@@ -3,6 +3,8 @@
 #include <capnp/rpc.capnp.h>
 #include <kj/refcount.h>
 #include <suture/framing/remote_error.h>
+#include <suture/loop/failure.h>
+#include <suture/net/secure.h>
 
 namespace suture::framing {
 
@@ -70,9 +72,7 @@ class LinkNetwork::Only final : public Base::Connection, public kj::Refcounted {
     return kj::heap<Outgoing>(network_);
   }
 
-  kj::Promise<kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>> receiveIncomingMessage() override {
-    return network_.stream_->read();
-  }
+  kj::Promise<Incoming> receiveIncomingMessage() override { return network_.receive(); }
 
   kj::Promise<void> shutdown() override { return network_.stream_->end(); }
 
@@ -95,6 +95,30 @@ LinkNetwork::LinkNetwork(kj::Own<MessageStream> stream, Side side)
                                 : UnfinishedAnswers::Limits{.questions = limits.questions,
                                                             .bytes = limits.answerBytes});
   });
+}
+
+kj::Promise<LinkNetwork::Incoming> LinkNetwork::receive() {
+  const bool answers = side_ == Side::SERVER;
+  return answers || begun_ ? stream_->read() : receiveFirst();
+}
+
+// A server that has as many links as it may have closes a further one without a word.
+kj::Promise<LinkNetwork::Incoming> LinkNetwork::receiveFirst() {
+  const auto closed = [this] {
+    const std::string& dialled = stream_->dialled();
+    return loop::disconnected("the peer" + (dialled.empty() ? "" : " at " + dialled) +
+                              " closed the connection before a word. " + net::kMayBeFull);
+  };
+  return stream_->read().then(
+      [this, closed](Incoming message) -> Incoming {
+        if (message == nullptr) kj::throwFatalException(closed());
+        begun_ = true;
+        return message;
+      },
+      [this, closed](kj::Exception&& failure) -> Incoming {
+        const bool unheard = stream_->counters()->receivedBytes == 0 && refusal().empty();
+        kj::throwFatalException(unheard ? closed() : kj::mv(failure));
+      });
 }
 
 Side LinkNetwork::peerSide() const { return side_ == Side::CLIENT ? Side::SERVER : Side::CLIENT; }

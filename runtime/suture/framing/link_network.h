@@ -32,12 +32,17 @@ class LinkNetwork final : public capnp::TwoPartyVatNetworkBase {
   class Outgoing;
   class Only;  // the one connection there is
 
+  using Incoming = kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>;
+
   kj::Own<capnp::TwoPartyVatNetworkBase::Connection> connection();
+  kj::Promise<Incoming> receive();
+  kj::Promise<Incoming> receiveFirst();
 
   kj::Own<MessageStream> stream_;
   const capnp::rpc::twoparty::Side side_;
   UnfinishedAnswers answers_;
   bool accepted_ = false;
+  bool begun_ = false;    // the peer has sent a message
   Only* only_ = nullptr;  // set while the RPC system holds it
   kj::Own<kj::PromiseFulfiller<void>> gone_;
   kj::ForkedPromise<void> disconnected_ = nullptr;

@@ -75,6 +75,8 @@ class MessageStream final : private loop::EventPort::Output {
   };
   static constexpr int kLongestDelayMilliseconds = 5;
 
+  /// Returns the address that this end has dialled; "": none.
+  const std::string& dialled() const { return bytes_.dialled(); }
   /// Returns why a read has rejected, if the peer broke a limit; else "".
   const std::string& refusal() const { return refusal_; }
 

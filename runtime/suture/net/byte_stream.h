@@ -35,6 +35,9 @@ class ByteStream {
   /// Returns the socket for event ports to wait on.
   int socket() const { return socket_; }
   PeerIdentity peer() const;
+  /// Keep the address that this end has dialled, for what is told of the peer; "": it has not.
+  void setDialled(std::string address) { dialled_ = std::move(address); }
+  const std::string& dialled() const { return dialled_; }
   /// Returns when the certificate of the peer ends, as tls::ending() does; "" outside TLS.
   std::string certificatesEnd() const;
 
@@ -59,6 +62,7 @@ class ByteStream {
   std::shared_ptr<void> attached_;  // first: it goes after the socket
   kj::AutoCloseFd socket_;
   std::unique_ptr<tls::Session> session_;
+  std::string dialled_;
 };
 
 }  // namespace suture::net

@@ -18,6 +18,7 @@ class Handshake {
   Handshake(loop::EventPort& port, kj::AutoCloseFd socket, std::shared_ptr<const tls::Keys> keys,
             tls::Session::Side side)
       : socket_(kj::mv(socket)),
+        side_(side),
         observer_(kj::heap<loop::EventPort::FdObserver>(
             port, socket_, loop::EventPort::FdObserver::OBSERVE_READ_WRITE)),
         session_(std::make_unique<tls::Session>(std::move(keys), side, socket_)) {}
@@ -40,12 +41,15 @@ class Handshake {
       return session_->handshake();
     } catch (const tls::HandshakeError& error) {
       const bool broken = error.cause == tls::HandshakeError::Cause::Broken;
-      kj::throwFatalException(
-          loop::failure(broken ? Type::DISCONNECTED : Type::FAILED, error.what()));
+      const bool toServer = side_ == tls::Session::Side::Client;
+      kj::throwFatalException(loop::failure(
+          broken ? Type::DISCONNECTED : Type::FAILED,
+          std::string(error.what()) + (broken && toServer ? std::string(" ") + kMayBeFull : "")));
     }
   }
 
   kj::AutoCloseFd socket_;
+  const tls::Session::Side side_;
   kj::Own<loop::EventPort::FdObserver> observer_;
   std::unique_ptr<tls::Session> session_;
 };
@@ -56,6 +60,7 @@ kj::Exception cannotTalk(const Address& address, const std::string& found,
 }
 
 kj::Promise<ByteStream> checkUser(ByteStream stream, const Address& address, const Trust& trust) {
+  stream.setDialled(address.text());
   const PeerIdentity peer = stream.peer();
   if (peer.proof != PeerIdentity::Proof::User || isTrusted(peer.user, trust.users)) {
     return kj::mv(stream);
@@ -82,6 +87,7 @@ kj::Promise<ByteStream> checkClock(ByteStream stream, const Address& address) {
 
 kj::Promise<ByteStream> checkProcess(ByteStream stream, const Address& address,
                                      const std::string& expected) {
+  stream.setDialled(address.text());
   const PeerIdentity peer = stream.peer();
   if (peer.mayBe(expected)) return kj::mv(stream);
   return cannotTalk(address, "it has the certificate of " + peer.text() + ", and '" + expected +

@@ -15,6 +15,10 @@
 
 namespace suture::net {
 
+/// Says why a peer may have closed a new connection without a word.
+inline constexpr const char* kMayBeFull =
+    "It may have reached its limit of links: see what it says.";
+
 /// The control thread. Does the TLS handshake on a connected, non-blocking socket. Rejects with
 /// what was found and what to do; gives up at `deadline` from now.
 kj::Promise<ByteStream> handshake(loop::EventPort& port, kj::AutoCloseFd socket,

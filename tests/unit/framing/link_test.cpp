@@ -179,6 +179,19 @@ TEST_P(LinkTest, APeerBeyondItsLimitIsTold) {
   EXPECT_EQ(echo(fourth->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
 }
 
+TEST_P(LinkTest, APeerClosedUnansweredIsToldWhy) {
+  serve();
+  std::vector<kj::Own<Link>> links;
+  for (int i = 0; i < 2 + 16; ++i) links.push_back(connect());
+  EXPECT_EQ(echo(links[1]->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+  auto bytes = net::reach(port_, server_->address(), {}, "server", kPatience).wait(port_.scope());
+  auto closed = kj::heap<Link>(kj::heap<MessageStream>(port_, kj::mv(bytes)), Side::CLIENT);
+  EXPECT_EQ(faultOf([&] { echo(closed->bootstrap<Echo>(), 1).wait(port_.scope()); }),
+            "the peer at " + server_->address().text() +
+                " closed the connection before a word. It may have reached its limit of links: see "
+                "what it says.");
+}
+
 TEST_P(LinkTest, FurtherPeersBeyondTheLimitAreClosed) {
   serve();
   std::vector<kj::Own<Link>> links;

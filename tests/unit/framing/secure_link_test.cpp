@@ -210,9 +210,24 @@ TEST_F(SecureLinkTest, LeakedLinksShutOutNoOther) {
             "talk to " + server_->address().text() +
                 ": 2 of its links are with process 'client', and no peer has more. End some of "
                 "them.");
+  const std::string closed = callFault(*leaked[29]);
+  EXPECT_TRUE(contains(
+      closed, "the peer at " + server_->address().text() + " closed the connection before a word."))
+      << closed;
   EXPECT_TRUE(contains(refusals_.summary().latest, "are with process 'client'"));
   leaked.clear();
   EXPECT_EQ(echoed(*connect(trustOf("client")), 1), 1u) << "its places are free again";
+}
+
+TEST_F(SecureLinkTest, AHandshakeClosedUnansweredIsToldWhy) {
+  links_ = {.all = 1, .ofOne = 1};
+  limits_.handshakeMilliseconds = 600'000;  // these hold their places
+  serveTls();
+  kj::Vector<kj::AutoCloseFd> held;
+  for (int i = 0; i < 1 + 16; ++i) held.add(dialServer());
+  const std::string fault = reachFault(server_->address(), trustOf("client"), "server");
+  EXPECT_TRUE(contains(fault, "It may have reached its limit of links: see what it says."))
+      << fault;
 }
 
 TEST_F(SecureLinkTest, ASilentPeerIsClosedAfterHandshake) {
