@@ -81,7 +81,8 @@ std::string portOf(const std::string& address) { return address.substr(address.r
 TEST(Ports, ATakenPortNamesItsProcess) {
   loop::ControlThread control;
   const GlobalManager manager(control, "tcp://127.0.0.1:0");
-  const std::string address = manager.address(), port = portOf(address);  // the manager has it
+  const std::string& address = manager.address();
+  const std::string port = portOf(address);  // the manager has it
   const Deployment deployment(JsonDocument::parse(
       "{\"manager\": \"" + address + "\",\n\"processes\": [{\"name\": \"arm\", " +
           "\"components\": [],\n\"port\": " + port + "}]}",
