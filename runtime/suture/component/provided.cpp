@@ -207,7 +207,9 @@ void ProvidedBase::drain() {
     owner_.ringNow();  // a bell that is due may go with its channel
     channels_.letGo();
   }
-  channels_.forEach([this](ChannelList::Node& node) {
+  clock_.begin();
+  bool mayBeLate = false;  // handlers may have taken long since the clock was read
+  channels_.forEach([this, &mayBeLate](ChannelList::Node& node) {
     Channel& channel = *node.channel;
     if (channel.ends.asked != nullptr) {
       channel.state->askAll(channel.ends.asked->load(std::memory_order_acquire));
@@ -216,7 +218,10 @@ void ProvidedBase::drain() {
     // Fix the cut first, so that a command's events reach those who subscribed before they sent it.
     if (any) channel.commands.fixCut();
     greet(node);
-    if (any) drain(node);
+    if (!any) return;
+    if (mayBeLate) clock_.look();
+    drain(node);
+    mayBeLate = true;
   });
 }
 
@@ -247,7 +252,6 @@ Errc ProvidedBase::refusal() const {
 // take long, and the process may be stopped at any moment.
 void ProvidedBase::drain(ChannelList::Node& node) {
   Channel& channel = *node.channel;
-  clock_.begin();
   const Time resumed = everyState_ ? Time{} : owner_.resumed();
   const RoomNotice notice{channel, owner_};
   // A client that shares memory tells of a loss there.

@@ -110,9 +110,9 @@ class ProvidedBase {
   void advance();
   /// Returns true if commands are waiting.
   bool pending() const;
-  /// In the handler of a queued command: returns how old it was when it began, the time included
-  /// for which the machine was suspended meanwhile. It means nothing for a command that runs in its
-  /// caller's thread.
+  /// In the handler of a queued command: returns how old it was when the clock was last read, which
+  /// is up to 64 commands ago in a long drain (docs/howto/reports.md). A suspension of the machine
+  /// counts. It means nothing for a command that runs in its caller's thread.
   Duration commandAge() const { return commandAge_; }
   /// Tells all clients in which state the component is.
   void announce(ChannelStatus status);

@@ -102,22 +102,24 @@ kj::Promise<LinkNetwork::Incoming> LinkNetwork::receive() {
   return answers || begun_ ? stream_->read() : receiveFirst();
 }
 
-// A server that has as many links as it may have closes a further one without a word.
+// A server that has as many links as it may have closes a further one without a word. What it has
+// not read by then makes that a reset.
 kj::Promise<LinkNetwork::Incoming> LinkNetwork::receiveFirst() {
-  const auto closed = [this] {
+  const auto unanswered = [this](const std::string& how) {
     const std::string& dialled = stream_->dialled();
-    return loop::disconnected("the peer" + (dialled.empty() ? "" : " at " + dialled) +
-                              " closed the connection before a word. " + net::kMayBeFull);
+    return loop::disconnected("the peer" + (dialled.empty() ? "" : " at " + dialled) + how +
+                              " before a word. " + net::kMayBeFull);
   };
   return stream_->read().then(
-      [this, closed](Incoming message) -> Incoming {
-        if (message == nullptr) kj::throwFatalException(closed());
+      [this, unanswered](Incoming message) -> Incoming {
+        if (message == nullptr) kj::throwFatalException(unanswered(" closed the connection"));
         begun_ = true;
         return message;
       },
-      [this, closed](kj::Exception&& failure) -> Incoming {
+      [this, unanswered](kj::Exception&& failure) -> Incoming {
         const bool unheard = stream_->counters()->receivedBytes == 0 && refusal().empty();
-        kj::throwFatalException(unheard ? closed() : kj::mv(failure));
+        if (!unheard) kj::throwFatalException(kj::mv(failure));
+        kj::throwFatalException(unanswered(": " + loop::describe(failure)));
       });
 }
 

@@ -5,6 +5,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
@@ -50,7 +51,10 @@ class Stations(unittest.TestCase):
             time.sleep(0.01)
 
     def await_line(self, station, end):
-        for line in station.stderr:
-            if line.endswith(end):
-                return
-        self.fail(f"it ended before it said {end}")
+        hangs = threading.Timer(60, station.kill)
+        hangs.start()
+        try:
+            if not any(line.endswith(end) for line in station.stderr):
+                self.fail(f"it ended before it said {end}, or hung")
+        finally:
+            hangs.cancel()

@@ -52,11 +52,12 @@ struct SendingClient final : PeriodicTask {
   ~SendingClient() override { stop(); }
   void run() override {
     const bool connected = slave.connected();
-    lost = lost || (sent && !connected);
-    if (sent || !connected) return;
-    sent = slave.limit(0, reference::Mode::Enabled) && slave.servo_cp({}) && slave.hold();
+    lost = lost || (sent > 0 && !connected);
+    if (sent == wanted || !connected) return;
+    if (slave.limit(0, reference::Mode::Enabled) && slave.servo_cp({}) && slave.hold()) ++sent;
   }
-  std::atomic<bool> sent{false}, lost{false};
+  std::atomic<int> wanted{1}, sent{0};  // times
+  std::atomic<bool> lost{false};
   Required<reference::ArmLike> slave{*this, "Slave"};
 };
 
