@@ -112,7 +112,7 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     arms_.back()->noteLedger(1, sumsOf(served, manager.incarnation()));
     if (providers_ != nullptr) providers_->stop();
   }
-  /// What the reports of both processes say together has a place for each command.
+  /// The reports of both processes together have a place for each command.
   void expectMergedSums() const {
     const auto merged = mergeConnections({observe(*clients_, now()), observe(*providers_, now())});
     ASSERT_EQ(merged.size(), 1u);

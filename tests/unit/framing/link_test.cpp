@@ -23,7 +23,31 @@ using namespace std::chrono_literals;
 using capnp::rpc::twoparty::Side;
 using test::Echo;
 
-class LinkTest : public test::EchoScene {};
+class LinkTest : public test::EchoScene {
+ protected:
+  struct ThreeLinks {
+    kj::Own<Link> first, second, third;
+  };
+  ThreeLinks connectThree() {
+    ThreeLinks links{connect(), connect(), connect()};
+    EXPECT_EQ(echo(links.second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+    return links;
+  }
+  std::string faultOfThird(ThreeLinks& links) {
+    auto third = links.third->bootstrap<Echo>();
+    return faultOf([&] { echo(third, 1).wait(port_.scope()); });
+  }
+  /// The server tells the refusal too, and the places of links that end are free again.
+  void expectToldAndFree(ThreeLinks& links, const std::string& fault) {
+    EXPECT_NE(refusals_.summary().latest.find(fault), std::string::npos)
+        << refusals_.summary().latest;
+    links.third = nullptr;
+    links.first = nullptr;
+    EXPECT_EQ(echo(links.second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+    auto fourth = connect();
+    EXPECT_EQ(echo(fourth->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+  }
+};
 INSTANTIATE_TEST_SUITE_P(Sockets, LinkTest, testing::Values("unix", "tcp"),
                          [](const auto& test) { return std::string(test.param); });
 
@@ -141,42 +165,24 @@ TEST_P(LinkTest, QuestionsAtATimeAreBounded) {
 
 TEST_P(LinkTest, APeerBeyondTheLimitIsTold) {
   serve();  // for two at a time
-  auto first = connect();
-  auto second = connect();
-  auto third = connect();
-  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
-  const std::string fault = faultOf([&] { echo(third->bootstrap<Echo>(), 1).wait(port_.scope()); });
+  ThreeLinks links = connectThree();
+  const std::string fault = faultOfThird(links);
   EXPECT_NE(fault.find("it has 2 links"), std::string::npos) << fault;
-  EXPECT_NE(refusals_.summary().latest.find(fault), std::string::npos)
-      << refusals_.summary().latest;
-  third = nullptr;
-  first = nullptr;
-  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
-  auto fourth = connect();
-  EXPECT_EQ(echo(fourth->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+  expectToldAndFree(links, fault);
 }
 
 // Plain TCP does not prove who is who, so there all peers share the limit of all.
 TEST_P(LinkTest, APeerBeyondItsLimitIsTold) {
   serve({.all = 8, .ofOne = 2});
-  auto first = connect();
-  auto second = connect();
-  auto third = connect();
-  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
-  const std::string fault = faultOf([&] { echo(third->bootstrap<Echo>(), 1).wait(port_.scope()); });
+  ThreeLinks links = connectThree();
+  const std::string fault = faultOfThird(links);
   if (server_->address().kind == net::Address::Kind::Tcp) {
     EXPECT_EQ(fault, "");
     return;
   }
   EXPECT_EQ(fault, "talk to " + server_->address().text() + ": 2 of its links are with user " +
                        std::to_string(geteuid()) + ", and no peer has more. End some of them.");
-  EXPECT_NE(refusals_.summary().latest.find(fault), std::string::npos)
-      << refusals_.summary().latest;
-  third = nullptr;
-  first = nullptr;
-  EXPECT_EQ(echo(second->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
-  auto fourth = connect();
-  EXPECT_EQ(echo(fourth->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
+  expectToldAndFree(links, fault);
 }
 
 TEST_P(LinkTest, APeerClosedUnansweredIsToldWhy) {

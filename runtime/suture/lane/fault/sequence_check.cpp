@@ -7,8 +7,8 @@ constexpr std::uint64_t kRemembered = 64;
 
 }  // namespace
 
-// Of a message that is kRemembered or more behind nothing is known, and it is taken to have come:
-// if it has not, it was counted as lost when later ones overtook it.
+// Takes a message that is kRemembered or more behind to have come, since nothing is known of it: if
+// it has not, it was counted as lost when later ones overtook it.
 bool SequenceCheck::hasCome(std::uint64_t sequence) const {
   const std::uint64_t ago = reached_ - sequence;
   return ago >= kRemembered || (recent_ >> ago & 1) != 0;
