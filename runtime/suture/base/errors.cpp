@@ -26,6 +26,7 @@ const char* toString(Errc error) {
     case Errc::Cancelled: return "cancelled before it was executed";
     case Errc::CannotWait: return "an event cannot be awaited here, or has a direct handler";
     case Errc::NotPermitted: return "the provider's policy lets this process read, not command";
+    case Errc::OnLoan: return "a loan of this interface is being filled";
   }
   return "unknown error";
 }

@@ -37,10 +37,11 @@ enum class Errc : std::uint8_t {
   CannotWait,        ///< events cannot be awaited in an event's handler, nor can those whose own
                      ///< handler is direct
   NotPermitted,      ///< the provider's policy lets this process read but not command; not executed
+  OnLoan,            ///< this required interface is filling a loan; nothing was sent
 };
 
 /// No error has a larger number.
-inline constexpr Errc kLastErrc = Errc::NotPermitted;
+inline constexpr Errc kLastErrc = Errc::OnLoan;
 
 /// Any thread. Returns the error that another process tells by its number; 0 stands for none. A
 /// newer process may have errors that this build does not know: then the call may have run.

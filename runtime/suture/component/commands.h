@@ -3,6 +3,7 @@
 // to the thread of the component that owns the required interface.
 
 #include <suture/base/sample.h>
+#include <suture/base/slots/loan.h>
 #include <suture/base/slots/shared_slot.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/call.h>
@@ -84,9 +85,34 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
     return resultOf<Nothing>(send(0, arguments...));
   }
 
-  /// Does the same, and the call is answered when the command has been executed or has come to
-  /// another end. Errors are those of operator(), as the answer of a call that has ended already;
-  /// and Errc::TooManyCalls if no place for a call is free.
+  /// Does what operator() does with a command of one argument, one list of which is written where
+  /// it leaves from, without a copy: in memory that processes share, if that is the lane. `List` is
+  /// a member of the argument's slot, or several that lead to it.
+  ///   viewer_.show.loan<&FrameSlot::pixels>(frame, [&](std::span<std::uint8_t> room) {
+  ///     return camera_.grab(room);                           returns how many it has written
+  ///   });
+  /// `rest` has everything else; leave the list empty in it. The room has any old bytes, and
+  /// another process may change it: write it only. The command's age begins before `fill` does.
+  /// While it runs, other commands of this interface answer Errc::OnLoan. If `fill` throws, nothing
+  /// is sent. A command that runs in this thread allocates its argument. Errors are those of
+  /// operator().
+  template <auto... List, class Fill>
+  Result<Nothing> loan(Arguments... rest, const Fill& fill) {
+    static_assert(sizeof...(Arguments) == 1, "a loan is for a command with one argument");
+    const auto storeAll = [&](ArgumentsSlot& slot) {
+      return store(rest..., slot) && fillList(listIn<List...>(onlyMember(slot)), fill);
+    };
+    if (const Errc error = required_.attachment.unusable(id_); error != Errc{})
+      return resultOf<Nothing>(error);
+    if (ProvidedBase* const callee = required_.sender.callee(id_))
+      return resultOf<Nothing>(lendHere(*callee, storeAll));
+    return resultOf<Nothing>(required_.sender.lend(
+        id_, [&](std::byte* memory) { return storeAll(newSlot<ArgumentsSlot>(memory)); }));
+  }
+
+  /// Does the same as operator(), and the call is answered when the command has been executed or
+  /// has come to another end. Errors are those of operator(), as the answer of a call that has
+  /// ended already; and Errc::TooManyCalls if no place for a call is free.
   [[nodiscard]] Call<Result<Nothing>, NoSlot> start(Arguments... arguments) {
     if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
     if (ProvidedBase* const callee = required_.sender.callee(id_)) {
@@ -101,7 +127,22 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
  private:
   Errc callHere(ProvidedBase& callee, Arguments... arguments) {
     const Errc error = required_.sender.judgeHere<ArgumentsSlot>(id_, arguments...);
+    return error == Errc{} ? runCounted(callee, arguments...) : error;
+  }
+
+  template <class Store>
+  Errc lendHere(ProvidedBase& callee, const Store& storeAll) {
+    LooseSlot<ArgumentsSlot> slot;
+    const bool fits = storeAll(slot.value());
+    const Errc error = required_.sender.judge(id_, slot.memory(), fits);
     if (error != Errc{}) return error;
+    std::tuple<std::remove_cvref_t<Arguments>...> arguments;
+    load(onlyMember(slot.value()), std::get<0>(arguments));
+    return runCounted(callee, std::get<0>(arguments));
+  }
+
+  template <class... Values>
+  Errc runCounted(ProvidedBase& callee, Values&... arguments) {
     return required_.sender.countHere(
         runHere<Contract>(callee, [&](Contract& contract) { (contract.*Method)(arguments...); }));
   }

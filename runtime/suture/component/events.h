@@ -2,8 +2,10 @@
 // These are the members of a generated Provided<Contract>::emit() and Required<Contract>::on(): one
 // object for each event.
 
+#include <suture/base/slots/loan.h>
 #include <suture/base/slots/shared_slot.h>
 #include <suture/base/slots/slot_forms.h>
+#include <suture/component/event_loan.h>
 #include <suture/component/next_event.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
@@ -53,7 +55,32 @@ class Emitter {
     return resultOf<std::void_t<Slot>>(provided_.emit(event_, slot.memory(), fits));
   }
 
+  /// Does what operator() does with an event of one value, one list of which `fill` writes; it is
+  /// called as that of Command::loan() is. `List` is a member of the payload's slot, or several
+  /// that lead to it. If one subscriber hears a queued event of more than 512 bytes, it is written
+  /// where it leaves from; otherwise it is copied, as from operator(). `fill` may emit other
+  /// events. The event's stamp is when `fill` returns. If `fill` throws, nothing is emitted.
+  ///   camera_.emit().frame.loan<&FrameSlot::pixels>(frame, [&](std::span<std::uint8_t> room) {
+  ///     return sensor_.grab(room);
+  ///   });
+  template <auto... List, class Fill>
+  Result<std::void_t<Slot>> loan(const Payload&... rest, const Fill& fill) {
+    static_assert(sizeof...(Payload) == 1, "a loan is for an event with one value");
+    return resultOf<std::void_t<Slot>>(emitFilled(
+        [&](Slot& slot) { return store(rest..., slot) && fillList(listIn<List...>(slot), fill); }));
+  }
+
  private:
+  template <class Store>
+  Errc emitFilled(const Store& storeAll) {
+    if (EventLoan loan(provided_, event_); loan.memory() != nullptr) {
+      return loan.emit(storeAll(*reinterpret_cast<Slot*>(loan.memory())));
+    }
+    LooseSlot<Slot> slot;
+    const bool fits = storeAll(slot.value());
+    return provided_.emit(event_, slot.memory(), fits);
+  }
+
   ProvidedBase& provided_;
   std::uint16_t event_;
 };

@@ -136,9 +136,22 @@ class ProvidedBase {
   void noteInvalid(const FieldPath& path, Channel* asker);
   template <class, class...>
   friend class Emitter;
+  friend class EventLoan;
   friend class Subscriptions;
 
   Errc emit(std::uint16_t event, const std::byte* slot, bool fits);
+  /// Returns true in a thread that may not walk the channels and fill the subscribers' queues.
+  bool emitsInWrongThread() const;
+  /// Returns why no subscriber may get such a payload, or 0.
+  Errc judge(std::uint16_t event, const std::byte* slot, bool fits);
+  /// Calls `visit(channel, direct)` for each subscriber of `event`; `direct` is true for one whose
+  /// handler runs in the thread that emits.
+  template <class Visit>
+  void forEachSubscriber(std::uint16_t event, const Visit& visit) const;
+  /// Returns the only subscriber of `event`, if its queue is where the event goes; else nullptr.
+  std::shared_ptr<Channel> onlySubscriber(std::uint16_t event) const;
+  /// Emits what EventQueue::lend() of `channel` gave.
+  void deliverLent(Channel& channel, std::uint16_t event, std::byte* payload);
   /// Returns true if the component may be told of its clients now.
   bool hears() const;
   static bool isNews(const ChannelList::Node& node);
@@ -154,7 +167,7 @@ class ProvidedBase {
   void turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal);
   void tellState(Channel& channel) const;
   void deliver(Channel& channel, std::uint16_t event, Time stamp,
-               std::span<const std::byte> payload, EventSet direct);
+               std::span<const std::byte> payload, bool direct);
   void replay(Channel& channel, EventSet events, std::span<std::uint64_t> memory);
   void replay(Channel& channel, std::uint16_t event, std::span<std::uint64_t> memory);
   void keepLatched(std::uint16_t event, Time stamp, std::span<const std::byte> payload);

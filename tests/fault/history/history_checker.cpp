@@ -22,6 +22,7 @@ bool saysNotExecuted(Errc error) {
     case Errc::NotImplemented:
     case Errc::Suspended:
     case Errc::AwaitingOperator:
+    case Errc::OnLoan:
     case Errc::Cancelled: return true;
     default: return false;
   }

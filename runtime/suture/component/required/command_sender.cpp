@@ -13,6 +13,7 @@ ProvidedBase* CommandSender::callee(std::uint16_t command) const {
 }
 
 Errc CommandSender::claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments) {
+  if (lending_) return Errc::OnLoan;
   rt::Mailbox& mailbox = attachment_.channel()->commands;
   const Result<std::byte*> claimed = mailbox.claim(command, now(), call);
   if (!claimed) return claimed.error();
@@ -45,6 +46,18 @@ Errc CommandSender::commit(std::uint16_t command, const std::byte* arguments, bo
   channel.countSent(channel.commands.commit());
   attachment_.owner().ringLater(*channel.ends.provider);
   return Errc{};
+}
+
+CommandSender::Loan::~Loan() {
+  sender_.lending_ = false;
+  if (isOpen_) channel_->commands.abandon();
+}
+
+// A component that waits in its own code may get another connection meanwhile.
+Errc CommandSender::Loan::commit(std::uint16_t command, const std::byte* arguments, bool fits) {
+  if (sender_.attachment_.channel() != channel_) return Errc::Lost;
+  isOpen_ = false;
+  return sender_.commit(command, arguments, fits);
 }
 
 // Counts once it has run: the command itself may have had the connection taken down.

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace suture {
 
@@ -22,10 +23,17 @@ class CommandSender {
   /// fit. `call` is the number of the call that awaits the answer; 0: none does.
   template <class Fill>
   Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
+  /// Does the same for a `fill` that is the component's own code: until it returns, other commands
+  /// of this interface answer Errc::OnLoan. If it throws, nothing is sent.
+  template <class Fill>
+  Errc lend(std::uint16_t command, const Fill& fill);
   /// Checks arguments that go to a handler as they are. Answers an error if their slot would not
   /// fit or the contract does not admit them.
   template <class Slot, class... Arguments>
   Errc judgeHere(std::uint16_t command, Arguments&... arguments);
+  /// Answers an error, and counts it, if the arguments in a slot did not fit or the contract does
+  /// not admit them.
+  Errc judge(std::uint16_t command, const std::byte* arguments, bool fits);
   /// Does the same for the result of a call in this thread.
   template <class Slot, class Value>
   Errc judgeResultHere(std::uint16_t command, const Value& value) const;
@@ -49,13 +57,30 @@ class CommandSender {
   Errc claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments);
   /// Publishes what claim() gave, or gives it up if no provider may see such arguments.
   Errc commit(std::uint16_t command, const std::byte* arguments, bool fits);
-  /// Answers an error, and counts it, if the arguments in a slot did not fit or the contract does
-  /// not admit them.
-  Errc judge(std::uint16_t command, const std::byte* arguments, bool fits);
   /// Returns false for a result that the contract does not admit, and notes that.
   bool admitsResult(std::uint16_t command, const std::byte* result) const;
 
+  /// Keeps what claim() gave until commit(), or gives it up. The memory stays, whatever becomes of
+  /// the connection meanwhile.
+  class Loan {
+   public:
+    explicit Loan(CommandSender& sender) : sender_(sender), channel_(sender.attachment_.channel()) {
+      sender_.lending_ = true;
+    }
+    ~Loan();
+    Loan(const Loan&) = delete;
+    Loan& operator=(const Loan&) = delete;
+
+    Errc commit(std::uint16_t command, const std::byte* arguments, bool fits);
+
+   private:
+    CommandSender& sender_;
+    const std::shared_ptr<Channel> channel_;
+    bool isOpen_ = true;
+  };
+
   Attachment& attachment_;
+  bool lending_ = false;
 };
 
 template <class Fill>
@@ -63,6 +88,14 @@ Errc CommandSender::send(std::uint16_t command, std::uint32_t call, const Fill& 
   std::byte* arguments = nullptr;
   const Errc error = claim(command, call, arguments);
   return error == Errc{} ? commit(command, arguments, fill(arguments)) : error;
+}
+
+template <class Fill>
+Errc CommandSender::lend(std::uint16_t command, const Fill& fill) {
+  std::byte* arguments = nullptr;
+  if (const Errc error = claim(command, 0, arguments); error != Errc{}) return error;
+  Loan loan(*this);
+  return loan.commit(command, arguments, fill(arguments));
 }
 
 template <class Slot, class... Arguments>

@@ -76,6 +76,12 @@ bool EventQueue::push(std::uint16_t event, Time stamp, std::span<const std::byte
   return false;
 }
 
+bool EventQueue::pushLent(std::uint16_t event, Time stamp, std::byte* payload) {
+  if (ring_.pushLent({stamp, event, {}}, payload)) return true;
+  countDropped();
+  return false;
+}
+
 bool EventQueue::take(std::size_t cell) {
   return cells_[cell]->values.take([this, cell](std::byte* to, const std::byte* from, std::size_t) {
     forms_.copyForeign(to, from, static_cast<std::uint16_t>(cell));

@@ -40,6 +40,16 @@ class EventQueue {
   /// and its count goes up.
   bool push(std::uint16_t event, Time stamp, std::span<const std::byte> payload);
 
+  /// A producer. Returns room for the payload of an event of more than EventRing::kMostShared bytes
+  /// that has no newest value to keep; pushLent() sends it, giveBack() gives it up. Returns nullptr
+  /// if there is no room, or the event is another.
+  std::byte* lend(std::uint16_t event) const {
+    return isPlain(event) ? ring_.lend(event) : nullptr;
+  }
+  /// Returns false if the event was dropped.
+  bool pushLent(std::uint16_t event, Time stamp, std::byte* payload);
+  void giveBack(std::uint16_t event, std::byte* payload) { ring_.giveBack(event, payload); }
+
   /// The consumer. Returns the oldest queued event, then the newest of each latest() event and of
   /// each latched one that found the queue full; nullptr if none is left. Each event that it
   /// returns must be followed by pop().

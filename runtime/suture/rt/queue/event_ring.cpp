@@ -59,13 +59,36 @@ bool EventRing::pushLarge(MpscRing& cells, const EventRecord& record,
                           std::span<const std::byte> payload) {
   std::byte* const memory = claimIn(cells);
   if (memory == nullptr) return false;
+  forms_.write(memory, record, payload);
+  return publish(cells, record, memory);
+}
+
+// Claims the place in the order last, so that no other producer's event waits for a cell to be
+// filled.
+bool EventRing::publish(MpscRing& cells, const EventRecord& record, std::byte* memory) {
   const std::uint64_t place = cells.placeOf(memory);
   std::byte* const reference = claimIn(order_);
   if (reference == nullptr) return cells.release(place), false;
-  forms_.write(memory, record, payload);
   new (reference) Reference{record, place};
   order_.commit(reference);
   return true;
+}
+
+std::byte* EventRing::lend(std::uint16_t event) const {
+  MpscRing* const cells = cellsOf(event);
+  std::byte* const memory = cells == nullptr ? nullptr : claimIn(*cells);
+  return memory == nullptr ? nullptr : memory + sizeof(EventRecord);
+}
+
+bool EventRing::pushLent(const EventRecord& record, std::byte* payload) {
+  std::byte* const memory = payload - sizeof(EventRecord);
+  new (memory) EventRecord(record);
+  return publish(*cellsOf(record.event), record, memory);
+}
+
+void EventRing::giveBack(std::uint16_t event, std::byte* payload) {
+  MpscRing& cells = *cellsOf(event);
+  cells.release(cells.placeOf(payload - sizeof(EventRecord)));
 }
 
 // Reads the number of the event once, because it may change. A record that does not belong in the

@@ -41,6 +41,12 @@ class EventRing {
   /// The producer. Returns false if there is no room.
   bool push(const EventRecord& record, std::span<const std::byte> payload);
 
+  /// The producer. Returns room for the payload of a large event, which pushLent() sends or
+  /// giveBack() gives up; nullptr if there is none, or the event is not large.
+  std::byte* lend(std::uint16_t event) const;
+  bool pushLent(const EventRecord& record, std::byte* payload);
+  void giveBack(std::uint16_t event, std::byte* payload);
+
   /// The consumer. Returns the oldest record, or nullptr. It stays valid until pop(). In foreign
   /// memory its event may be a number that does not exist.
   EventRecord* front();
@@ -63,6 +69,7 @@ class EventRing {
   }
   std::byte* claimIn(MpscRing& ring) const;
   bool pushLarge(MpscRing& cells, const EventRecord& record, std::span<const std::byte> payload);
+  bool publish(MpscRing& cells, const EventRecord& record, std::byte* memory);
   void copyForeign(std::byte* to, const std::byte* from, std::size_t size) const;
   const std::byte* first();
 
