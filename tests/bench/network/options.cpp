@@ -10,7 +10,7 @@ void NetworkOptions::addTo(CLI::App& options) {
   options.add_option("--cpu", cpu, "the processor of both ends")->capture_default_str();
   options.add_option(
       "--lane", lane,
-      "of the round trips only those of this lane, such as frame.tcp, and for longer");
+      "of the round trips and sizes only those of this lane, such as frame.tcp, and for longer");
   options.add_flag("--quick", quick, "a hundredth of the samples: the figures mean nothing");
 }
 

@@ -66,10 +66,10 @@ std::vector<LaneRow> wantedRows(const NetworkOptions& options) {
 
 Statistics floorOf(const NetworkOptions& options, const std::string& figure) {
   const std::size_t skip = options.skipped(), kept = options.kept();
-  const Samples samples = figure == "raw.shm"
-                              ? bareMemoryRounds(options.cpu, skip, kept)
-                              : pingPong(figure == "raw.tcp" ? Transport::Tcp : Transport::Unix,
-                                         kMessageBytes, options.cpu, skip, kept);
+  const Samples samples =
+      figure == "raw.shm" ? bareMemoryRounds(sizeof(robots::PoseSample), options.cpu, skip, kept)
+                          : pingPong(figure == "raw.tcp" ? Transport::Tcp : Transport::Unix,
+                                     kMessageBytes, options.cpu, skip, kept);
   return statisticsOf(inUnits(samples, kMicrosecond));
 }
 

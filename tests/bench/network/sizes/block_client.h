@@ -10,9 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "bench/block_loop.suture.h"
+#include "bench/network/sizes/block_loan.h"
 
 namespace bench {
+
+/// Says which blocks go round.
+struct Blocks {
+  std::size_t bytes;
+  bool onLoan = false;  ///< both ends fill them where they leave from
+};
 
 /// Sends a block and, when it is back, the next one, from its first cycle on. `Contract` is
 /// SmallBlocks or LargeBlocks.
@@ -21,11 +27,12 @@ class BlockClient final : public suture::EventTask {
  public:
   using Samples = std::vector<std::int64_t>;
 
-  BlockClient(int cpu, std::size_t bytes, std::size_t skipped, std::size_t samples)
+  BlockClient(int cpu, Blocks blocks, std::size_t skipped, std::size_t samples)
       : EventTask({.scheduling = {.processor = cpu}}),
+        onLoan_(blocks.onLoan),
         skipped_(skipped),
         rounds_(skipped + samples) {
-    block_.bytes.assign(bytes, 0xa5);
+    block_.bytes.assign(blocks.bytes, 0xa5);
     elapsed_.reserve(rounds_);
     server.on().echo([this](const typename Contract::Block&) { arrived(); });
   }
@@ -44,10 +51,14 @@ class BlockClient final : public suture::EventTask {
  private:
   void send() {
     sent_ = suture::now();
-    if (const auto sent = server.bounce(block_); !sent) {
+    if (const auto sent = bounce(); !sent) {
       finished_.set_exception(std::make_exception_ptr(std::runtime_error(
           std::string("a block was not sent: ") + suture::toString(sent.error()))));
     }
+  }
+  suture::Result<> bounce() {
+    if (!onLoan_) return server.bounce(block_);
+    return server.bounce.template loan<kBytes<Contract>>({}, copyOf(block_.bytes));
   }
   void arrived() {
     elapsed_.push_back((suture::now() - sent_).count());
@@ -59,6 +70,7 @@ class BlockClient final : public suture::EventTask {
   typename Contract::Block block_;
   suture::Time sent_{};
   bool begun_ = false;
+  const bool onLoan_;
   const std::size_t skipped_, rounds_;
   Samples elapsed_;
   std::promise<Samples> finished_;

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "bench/block_loop.suture.h"
+#include "bench/network/sizes/block_loan.h"
 #include "bench/placement.h"
 
 namespace bench {
@@ -15,13 +15,22 @@ constexpr const char* kBlockSubcommand = "block-server";
 template <class Contract>
 class BlockTask final : public suture::EventTask, public Contract {
  public:
-  explicit BlockTask(int cpu) : EventTask({.scheduling = {.processor = cpu}}) {}
+  BlockTask(int cpu, bool onLoan)
+      : EventTask({.scheduling = {.processor = cpu}}), onLoan_(onLoan) {}
   ~BlockTask() override { stop(); }
 
-  void bounce(const typename Contract::Block& block) override { provided_.emit().echo(block); }
+  void bounce(const typename Contract::Block& block) override {
+    auto& event = provided_.emit().echo;
+    if (onLoan_) {
+      event.template loan<kBytes<Contract>>({}, copyOf(block.bytes));
+    } else {
+      event(block);
+    }
+  }
   void run() override {}
 
  private:
+  const bool onLoan_;
   suture::Provided<Contract> provided_{*this, "Blocks", *this};
 };
 
@@ -32,11 +41,12 @@ struct BlockProcessOptions {
 
 void serve(const BlockProcessOptions& options) {
   const Pinned pinned(options.cpu);
-  BlockTask<SmallBlocks> small(options.cpu);
-  BlockTask<LargeBlocks> large(options.cpu);
+  BlockTask<SmallBlocks> small(options.cpu, false);
+  BlockTask<LargeBlocks> large(options.cpu, false), loans(options.cpu, true);
   suture::Manager manager{"server", options.manager};
   manager.add("Small", small);
   manager.add("Large", large);
+  manager.add("Loans", loans);
   manager.start();
   awaitEndOfInput();
   manager.stop();

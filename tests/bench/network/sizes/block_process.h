@@ -14,7 +14,8 @@ namespace bench {
 void addBlockProcess(CLI::App& program);
 
 /// Holds the process, the global manager between, and this process's manager. The providers are
-/// "server:Small/Blocks" and "server:Large/Blocks".
+/// "server:Small/Blocks", "server:Large/Blocks" and
+/// "server:Loans/Blocks", which answers on loan.
 class BlockProcess {
  public:
   /// `cpu` is the processor of all of its threads. Throws SetupError.
