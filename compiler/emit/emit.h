@@ -17,7 +17,7 @@ using model::Artefact;
 /// An Output is a file that is generated for each header: X.SUFFIX for X.h.
 struct Output {
   const char* suffix;  ///< "suture.h"
-  const char* use;     ///< what a build does with it: "include", "compile", or only "read"
+  const char* use;     ///< "include", "compile", or only "read": what a build does with it
 
   bool isSource() const { return std::string_view(use) == "compile"; }
 };

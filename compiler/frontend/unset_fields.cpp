@@ -17,9 +17,9 @@ using Specialisation = clang::ClassTemplateSpecializationDecl;
 
 /// Says what a variable of a type has that nobody sets.
 enum class Content {
-  Given,     ///< what its class gives it
-  Raw,       ///< what memory had, but zeros where "{}" is written
-  AlwaysRaw  ///< what memory had, also where "{}" is written
+  Given,     ///< the value that its class gives it
+  Raw,       ///< whatever memory had, but zeros where "{}" is written
+  AlwaysRaw  ///< whatever memory had, also where "{}" is written
 };
 
 bool isClass(clang::QualType type, llvm::StringRef name) {

@@ -30,7 +30,7 @@ struct Diagnostic {
   std::string slug;  ///< "pointer-field": printed as [suture-pointer-field]
   std::string
       message;       ///< what was found: "field 'p' has pointer type 'int *'; ownership is unknown"
-  std::string help;  ///< what to do; printed as a note
+  std::string help;  ///< how to mend it; printed as a note
   std::vector<Note> notes;
   Severity severity = Severity::Error;
   std::vector<Fix> fixes{};  ///< it takes all of them to mend the finding

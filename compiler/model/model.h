@@ -33,7 +33,7 @@ struct Limits {
 
 /// Says of a field that nothing gives it a value, and how that could be done.
 struct Unset {
-  std::string setting;     ///< what C++ would have behind it: "= 0"; "" = a person has to decide
+  std::string setting;     ///< "= 0", as C++ would have it there; "" = a person has to decide
   std::optional<Fix> fix;  ///< that writes it there, where that is possible
 };
 
@@ -51,8 +51,8 @@ struct Field {
   /// This is the initialiser as JSON where it is a constant of a number, enum, duration (seconds,
   /// exact) or string; "inf" and "-inf" are words; empty = zero.
   std::string defaultJson;
-  std::vector<double> defaultNumbers{};  ///< of several numbers, those that its initialiser has
-  bool isPreset = false;         ///< its struct's constructor may give it more than its type would
+  std::vector<double> defaultNumbers{};  ///< the initialiser's, if the field has several numbers
+  bool isPreset = false;         ///< the struct's constructor may give it more than its type would
   std::optional<Unset> unset{};  ///< a new value has whatever its memory held
   Lifecycle lifecycle;
   Documentation doc;
@@ -62,7 +62,7 @@ struct Field {
 struct Enumerator {
   std::string name;
   std::string wireName;
-  std::int64_t value = 0;  ///< of a UInt64 beyond the largest std::int64_t: its bits
+  std::int64_t value = 0;  ///< the bits, if a UInt64 is larger than any std::int64_t
   Documentation doc;
   Source source;
   bool fallback = false;  ///< stands for every enumerator that a receiver does not know
@@ -81,7 +81,7 @@ struct Enum {
   /// As in Struct, this is the namespace of a foreign type.
   std::optional<std::string> foreignNamespace{};
   std::vector<Enumerator> enumerators;
-  std::optional<std::string> was;  ///< its C++ name before, as written
+  std::optional<std::string> was;  ///< the former C++ name, as written
   Lifecycle lifecycle;
   Documentation doc;
   Source source;
@@ -94,7 +94,7 @@ struct Struct {
   std::optional<std::string> foreignNamespace;
   bool isExternal = false;  ///< SUTURE_EXTERNAL_TYPE names it, since it cannot be edited
   std::vector<Field> fields;
-  std::optional<std::string> was;  ///< its C++ name before, as written
+  std::optional<std::string> was;  ///< the former C++ name, as written
   Lifecycle lifecycle;
   Documentation doc;
   Source source;
@@ -132,7 +132,7 @@ struct Command {
   bool optional = false;  ///< a provider may lack it
   bool concurrent = false;
   bool direct = false;
-  bool isOverloaded = false;  ///< its class has another method of its name, which is no command
+  bool isOverloaded = false;  ///< the class has another method of this name, which is no command
   std::string inheritedFrom;  ///< the contract that declares it, fully qualified; "" = this one
   std::optional<unsigned> ordinal{};  ///< in the lock of that one, once it is looked up
   Lifecycle lifecycle;
@@ -147,7 +147,7 @@ struct Event {
   std::string name;            ///< name in descriptions and in emit()/on(): "operating_state"
   std::string wireName;        ///< capnp's: "operatingState"
   std::vector<Type> payload;   ///< none: a void event; else a write event
-  std::vector<Limits> limits;  ///< of each value; those behind the last one have none
+  std::vector<Limits> limits;  ///< each value's; those behind the last one have none
   unsigned queue = kDefaultQueue;
   bool queueGiven = false;  ///< queue() was written, not defaulted
   bool latest = false;
@@ -168,7 +168,7 @@ struct Interface {
   std::vector<Event> events;      ///< those of the base first
   unsigned version = 1;
   bool crtk = false;               ///< names and payloads follow CRTK
-  std::optional<std::string> was;  ///< its C++ name before, as written
+  std::optional<std::string> was;  ///< the former C++ name, as written
   Lifecycle lifecycle;
   Documentation doc;
   Source source;
@@ -181,7 +181,7 @@ struct Port {
   std::string interface;  ///< fully qualified
   bool provided = false;
   bool optional = false;                            ///< the component works without it
-  std::optional<std::int64_t> maxAgeNanoseconds{};  ///< what is older is of no use to it
+  std::optional<std::int64_t> maxAgeNanoseconds{};  ///< an older value is of no use to it
   Source source;
 };
 
@@ -203,7 +203,7 @@ struct Header {
   std::string file;          ///< where it was read, as clang opened it
   std::string cxxNamespace;  ///< enclosing namespace of its declarations: "robots::arm"
   bool own = true;  ///< false: another target's; read for its declarations, nothing is emitted
-  std::string wirePrefix{};          ///< its composites' names begin with it; "" = made of the path
+  std::string wirePrefix{};          ///< composites' names begin with it; "" = made of the path
   bool hasDeprecated = false;        ///< the compiler warns of the use of some of it
   std::vector<std::string> imports;  ///< paths of the annotated headers whose types it uses, sorted
   std::vector<Enum> enums;

@@ -65,7 +65,7 @@ struct Type {
   std::optional<unsigned> columnCapacity;
   bool distinct = false;      ///< a set: no element twice
   bool bulk = false;          ///< a List or Matrix of numbers that travels as one block of bytes
-  std::vector<Type> element;  ///< what it is made of, in order
+  std::vector<Type> element;  ///< the types that it is made of, in order
   std::int64_t periodNumerator = 1, periodDenominator = 1;
   Clock clock = Clock::Steady;
   std::string spelling;  ///< how generated C++ writes the type: "std::vector<double>"

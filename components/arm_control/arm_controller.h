@@ -178,7 +178,7 @@ class ArmController {
   suture::Time permitted_;   // the permit of power under which the arm was enabled
   suture::Time lastStep_;
   Setpoint<N> setpoint_;
-  suture::Time setpointStamp_;  // of the streamed goal it came from; unset otherwise
+  suture::Time setpointStamp_;  // the streamed goal's that it came from; unset otherwise
   bool homing_ = false;
   StreamWatch servoing_;                               // any other activity of the arm ends it
   const suture::ConnectedClient* streamer_ = nullptr;  // whose stream is followed

@@ -178,7 +178,7 @@ class CrtkArm final : public Arm {
   TipReads<N> tip_;
 
   bool ratiosChanged_ = true, gravityChanged_ = true;
-  std::string_view error_;  // of static storage
+  std::string_view error_;  // it lives as long as the program
   std::string ofJoint_;     // keeps its memory
   suture::MessageDraft draft_;
   std::uint32_t messages_ = 0;  // how many have been emitted

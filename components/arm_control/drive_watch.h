@@ -32,7 +32,7 @@ struct DriveWatchOptions {
 
 struct DriveFault {
   ArmWarning reason;  ///< EncoderJump or OverCurrent
-  int joint;          ///< its number in the chain; the number behind the last is the tool's
+  int joint;          ///< the number in the chain; the one behind the last is the tool's
 };
 
 /// One thread; never allocates. Looks at the readings of the joints and of the tool behind them.

@@ -18,7 +18,7 @@ struct EncoderModel {
   double noise = 0;          ///< counts: the standard deviation of what they add before that
   std::uint32_t seed = 1;
   double velocity_filter = 0.0;  ///< s: the time constant of velocities (rate_filter.h)
-  Coupling<N> coupling = {};     ///< of the actuators, whose encoders they are, with the joints
+  Coupling<N> coupling = {};     ///< how actuators, which have the encoders, move the joints
 };
 
 /// One thread; never allocates. Equal seeds, positions and times give equal readings.

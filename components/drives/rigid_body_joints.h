@@ -16,7 +16,7 @@ template <int N>
 struct RigidBodyModel {
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  kinematics::Chain<N> chain;  ///< its limits are the mechanical stops
+  kinematics::Chain<N> chain;  ///< the mechanical stops are its limits
   dynamics::ArmMechanics<N> mechanics;
   Joints parked;      ///< where the joints are at first
   Joints rate_limit;  ///< rad/s or m/s: set-points go no faster to their goals
@@ -28,7 +28,7 @@ struct RigidBodyModel {
   bool quantisation = true;
   double noise = 0;  ///< counts of the encoders
   std::uint32_t seed = 1;
-  double current_gain = 1;    ///< which share of each effort is measured
+  double current_gain = 1;    ///< the share of each effort that is measured
   bool brakes = true;         ///< if not, only friction holds the joints without power
   Coupling<N> coupling = {};  ///< couples the motors and encoders with the joints
 };

@@ -28,8 +28,8 @@ struct Steepness {
     gradient = aside / (distance * distance) - strand / (length * length);
   }
 
-  double logarithm;   // of the sine of the angle
-  Vector3d gradient;  // of the logarithm, 1/m
+  double logarithm;   // that of the angle's sine
+  Vector3d gradient;  // 1/m: how the logarithm grows
 };
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace robots {
 struct FixtureModel {
   Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< m: where the knot shall be
   Eigen::Vector3d approach{0, 0, -1};  ///< unit: the direction in which it comes there
-  double radius = 0.0003;              ///< m: of the corridor at the target
-  double slope = 0.3;                  ///< by which the corridor widens before it
+  double radius = 0.0003;              ///< m: how wide the corridor is at the target
+  double slope = 0.3;                  ///< how much the corridor widens for each metre before it
   double speed = 0.1;                  ///< m/s: of each tip along each axis
   double slowing = 4;                  ///< 1/s: speed towards the target, for each metre to go
   double separation = 0.01;            ///< m: how near the tips may come to each other

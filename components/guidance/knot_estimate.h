@@ -57,7 +57,7 @@ class KnotEstimate {
   suture::Duration age_;
   MotionHistory history_;
   Eigen::Vector3d tips_ = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Vector3d> offset_;  // of the knot from the tips' mean
+  std::optional<Eigen::Vector3d> offset_;  // where the knot is, seen from the tips' mean
   suture::Time seen_;
 };
 

@@ -38,7 +38,7 @@ class MotionHistory {
     Eigen::Vector3d place;
   };
   std::vector<Entry> entries_;
-  std::size_t count_ = 0;  // of all ever added
+  std::size_t count_ = 0;  // how many were ever added
 };
 
 }  // namespace robots

@@ -34,7 +34,7 @@ class Tremor {
   Motion at(double t) const;
 
  private:
-  static constexpr std::size_t kSines = 8;  // of each axis
+  static constexpr std::size_t kSines = 8;  // how many make up the tremor of one axis
   struct Sine {
     double frequency;  // rad/s
     double phase;      // rad

@@ -30,7 +30,7 @@ Vector3d directionAcross(const Vector3d& axis, const Vector3d& wanted, const Vec
 // wrist yaw, and y against x of that joint's frame (davinci.cpp).
 struct Instrument {
   Vector3d tip;
-  Vector3d yawAxis;  // of the wrist
+  Vector3d yawAxis;  // the wrist yaws about it
   Vector3d jaws;     // x of the frame behind the wrist yaw
 
   explicit Instrument(const Eigen::Isometry3d& goal)

@@ -29,7 +29,7 @@ struct Duty {
 std::vector<Span> clutched(const std::vector<ClutchNews>& news, suture::Time end);
 
 struct FollowedShare {
-  double share = 0;  ///< of the time in which it had to follow, since it first did
+  double share = 0;  ///< the followed part of the time in which it had to, since it first did
   /// The longest part in which it did not follow began and ended here, in s since it first did.
   double missing_from = 0, missing_until = 0;
 };

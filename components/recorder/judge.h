@@ -103,7 +103,7 @@ class Judge {
   suture::Time recordedUntil_;
   std::vector<FollowAnchors> followed_;
   std::deque<Acting> targets_;    // the first acts on the slave, the others will
-  suture::Time targetStamp_;      // of the last of them
+  suture::Time targetStamp_;      // the latest target's
   std::optional<Pose> expected_;  // where the slave should be
   suture::Time last_;
   suture::Time goal_, gotGoal_;  // the stamp of the slave's last goal, and the cycle that got it
@@ -113,8 +113,8 @@ class Judge {
   std::optional<Eigen::Vector3d> start_;
   double travel_ = 0;
   std::size_t unmatched_ = 0;
-  ErrorHistogram position_, orientation_;         // one error a cycle, m and rad
-  ErrorHistogram recent_;                         // of position_, those not reported yet
+  ErrorHistogram position_, orientation_;  // one error a cycle, m and rad
+  ErrorHistogram recent_;                  // the errors of position that are not reported yet
   ErrorHistogram equalTime_, speedTimesLatency_;  // m, one each after a new target
 };
 

@@ -51,8 +51,8 @@ class ErrorHistogram {
   }
 
  private:
-  static constexpr double kLeast = 1e-9;         // what is less is in the first bucket
-  static constexpr double kWidth = 1.01;         // of a bucket
+  static constexpr double kLeast = 1e-9;  // what is less is in the first bucket
+  static constexpr double kWidth = 1.01;  // each bucket ends so many times farther than it begins
   static constexpr std::size_t kBuckets = 2800;  // up to a thousand
 
   static std::size_t bucketOf(double error) {

@@ -15,9 +15,9 @@ namespace robots {
 /// tips within them.
 struct KnotBounds {
   Eigen::Vector3d approach{0, 0, -1};  ///< the direction in which the knot comes to its target
-  double radius = 0;                   ///< m: of the corridor about that at the target
-  double slope = 0;                    ///< by which the corridor widens before the target
-  double separation = 0;               ///< m: how near the tips may come to each other
+  double radius = 0;                   ///< m: how wide the corridor is about that at the target
+  double slope = 0;       ///< how much the corridor widens for each metre before the target
+  double separation = 0;  ///< m: how near the tips may come to each other
 };
 
 struct KnotJudgement {

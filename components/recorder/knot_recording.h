@@ -29,7 +29,7 @@ struct KnotRow {
 void write(std::ostream& out, const KnotRow& row);
 
 struct KnotRecording {
-  std::vector<KnotRow> rows;  ///< by ascending stamp
+  std::vector<KnotRow> rows;  ///< their stamps ascend
   std::uint64_t lost = 0;     ///< rows that the file did not take
 };
 

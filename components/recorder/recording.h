@@ -20,9 +20,9 @@ namespace robots {
 
 /// An ArmRow is one cycle of an arm, in its base frame, in m.
 struct ArmRow {
-  suture::Time stamp;  ///< of the measured pose: the arm's cycle
+  suture::Time stamp;  ///< when the arm measured the pose, in the cycle
   Eigen::Isometry3d measured = Eigen::Isometry3d::Identity();
-  suture::Time goal_stamp;  ///< of the data from which the set-point was made
+  suture::Time goal_stamp;  ///< when the data were made from which the set-point was
   Eigen::Isometry3d setpoint = Eigen::Isometry3d::Identity();
   bool enabled = true;  ///< it obeys motion commands
 };
@@ -36,7 +36,7 @@ struct ClutchNews {
 using Record = std::variant<ArmRow, FollowAnchors, ClutchNews, StopNews>;
 
 struct Recording {
-  std::vector<ArmRow> arm;              ///< by ascending stamp
+  std::vector<ArmRow> arm;              ///< their stamps ascend
   std::vector<FollowAnchors> followed;  ///< in the order of events
   std::vector<ClutchNews> clutch;       ///< likewise
   std::vector<StopNews> stops;          ///< likewise

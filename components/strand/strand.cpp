@@ -81,7 +81,7 @@ void Strand::projectConstraints(const Nodes& before, double h) {
   std::array<double, kLinks> multiplier{};
   for (int round = 0; round < kRounds; ++round) {
     std::array<Eigen::Vector3d, kLinks> direction;
-    std::array<double, kLinks> upper, change;  // of the tridiagonal system, swept from the left
+    std::array<double, kLinks> upper, change;  // the tridiagonal system, swept from the left
     const auto inverseMass = [&](int node) {
       return held_[static_cast<std::size_t>(node)] ? 0.0 : 1 / mass_[node];
     };

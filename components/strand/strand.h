@@ -15,7 +15,7 @@ struct StrandModel {
   double knot_mass = 0.002;              ///< kg
   double stiffness = 2000;               ///< N/m, of the strand as a whole
   double damping = 30;                   ///< 1/s: how fast a movement dies out
-  double friction = 0.15;                ///< of strand on strand
+  double friction = 0.15;                ///< between two parts of the strand
   double wrap = 9.42;                    ///< rad: how far the strand winds about itself in the knot
   double slip = 0.05;                    ///< m/s for each N beyond the friction
   Eigen::Vector3d gravity{0, 0, -9.81};  ///< m/s^2

@@ -82,7 +82,7 @@ class ArmPair {
  private:
   suture::Required<Arm>&master_, &slave_;
   ArmWatch masterWatch_, slaveWatch_;
-  std::optional<Eigen::Isometry3d> base_;  // of the master
+  std::optional<Eigen::Isometry3d> base_;  // where the master stands
 };
 
 }  // namespace robots

@@ -12,7 +12,7 @@ Follower::Follower() : PeriodicTask({.period = std::chrono::milliseconds(10)}) {
 void Follower::run() {
   const auto angle = joystick_.angle();
   if (angle.error() != told_) tell(angle.error(), angle ? "follows from" : "holds at");
-  constexpr double kGain = 0.1;  // of the difference, in each cycle
+  constexpr double kGain = 0.1;  // it takes this part of the difference in each cycle
   if (angle) position_ += kGain * (*angle - position_);
 }
 

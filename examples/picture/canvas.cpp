@@ -15,7 +15,7 @@ using robots::Colour;
 // OpenCV takes places in parts of a pixel, with this many bits.
 constexpr int kFraction = 4;
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX, kStroke = 1;  // px
-constexpr double kLetters = 0.45;                             // of the font's own size
+constexpr double kLetters = 0.45;                             // 1 is the font's own size
 
 cv::Scalar scalar(Colour colour) {
   return {double(colour[0]), double(colour[1]), double(colour[2])};

@@ -8,7 +8,7 @@ namespace demo {
 
 /// A ProgramHash is a file, and a hash that tells if two files are the same, byte by byte.
 struct ProgramHash {
-  std::string name;    ///< of the file, without its folder
+  std::string name;    ///< the file's name without its folder
   std::string sha256;  ///< in hexadecimal digits
 
   bool operator==(const ProgramHash&) const = default;

@@ -20,8 +20,8 @@ struct ArmFigures {
   std::string name;  ///< "right:PSM1"
   suture::TaskReport task;
   std::string master;                          ///< "": nothing drives it
-  std::optional<robots::Judgement> following;  ///< of a slave whose run could be judged
-  std::optional<robots::JumpJudgement> jumps;  ///< of each slave that was recorded
+  std::optional<robots::Judgement> following;  ///< set for a slave whose run could be judged
+  std::optional<robots::JumpJudgement> jumps;  ///< set for each slave that was recorded
 };
 
 /// A HeldSlave is a slave that had to hold, while a process was cut off, or the emergency stop or
@@ -39,7 +39,7 @@ struct Check {
 struct Verdict {
   std::vector<suture::ConnectionReport> connections;
   std::vector<ArmFigures> arms;
-  std::optional<robots::KnotJudgement> knot;  ///< of a run that recorded one
+  std::optional<robots::KnotJudgement> knot;  ///< set for a run that recorded one
   std::vector<HeldSlave> held;
   std::vector<Check> checks;
 

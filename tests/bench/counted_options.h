@@ -11,7 +11,7 @@ namespace bench {
 
 struct CountedOptions {
   int cpu = preferredCpu();
-  std::size_t calls = 1'000'000;  ///< of each part
+  std::size_t calls = 1'000'000;  ///< how many each part makes
   bool quick = false;
 
   void addTo(CLI::App& options) {

@@ -13,7 +13,7 @@ namespace bench {
 
 /// Its costs are in us of wall time.
 struct CallCosts {
-  std::vector<double> shortest;  ///< of each case, the shortest of its five calls
+  std::vector<double> shortest;  ///< the shortest of each case's five calls
   std::vector<double> every;     ///< every call, with what interrupted it
 };
 

@@ -13,7 +13,7 @@ namespace experiment {
 
 struct RealTimeResult {
   Result result;
-  std::uint64_t packets = 0, lost = 0;  ///< of both directions
+  std::uint64_t packets = 0, lost = 0;  ///< sums over both directions
 };
 
 /// Call it in a process with one thread, that may make namespaces with TUN devices: it throws

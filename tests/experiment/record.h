@@ -30,7 +30,7 @@ class Course {
 /// The console knows the masters of a record, the table all the rest.
 struct Record {
   Course left, right;                  ///< the arms' tips, each in its own base frame
-  Course leftSetpoint, rightSetpoint;  ///< and where they shall be
+  Course leftSetpoint, rightSetpoint;  ///< where the tips shall be
   Course knot;                         ///< in the scene
   /// These are the times when the guide began to guide, when it ceased, and so on.
   std::vector<std::int64_t> guidance;

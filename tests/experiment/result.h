@@ -16,7 +16,7 @@ namespace experiment {
 enum class Outcome : std::uint8_t {
   Placed,  ///< the knot came within kPlaced of its target, stayed there, and is there at the end
   Oscillates,  ///< it swings about its target by more than twice that at the end
-  Diverges,    ///< and ever more
+  Diverges,    ///< its swings about the target grow
   Misses,      ///< it rests elsewhere, or has not arrived yet
   Unguided,    ///< the guide never began, or does not guide at the end
 };

@@ -39,7 +39,7 @@ constexpr double kScale = 0.4;
 /// Says what crosses the link on a connection: a message each `period`. So many connections with as
 /// much share a stream, where each waits for what another has lost.
 struct Traffic {
-  std::uint64_t stream = 0;  ///< which of the link's
+  std::uint64_t stream = 0;  ///< the link's stream in which it travels
   suture::Duration period{0};
   int sharing = 1;
 };

@@ -23,8 +23,8 @@ using namespace std::chrono_literals;
 using suture::Duration;
 
 constexpr Duration kHarm = 1s;       // how long a world is done harm
-constexpr Duration kRecovery = 1s;   // within which it works again
-constexpr Duration kLateness = 2ms;  // of a call that ends beyond its deadline: a cycle of the arm
+constexpr Duration kRecovery = 1s;   // how soon it works again
+constexpr Duration kLateness = 2ms;  // a call may end so late: a cycle of the arm
 constexpr Duration kLongestPause = 200ms;
 // Seeds of these choices are apart from the others, which stay what they were for each seed.
 constexpr std::uint64_t kSeedOfMore = 0x9e3779b97f4a7c15;
@@ -294,7 +294,7 @@ class World {
   suture::loop::ControlThread control_;
   std::unique_ptr<suture::GlobalManager> names_;
   std::uint32_t robots_ = 0;
-  std::uint64_t executions_ = 0;  // of robots that are gone
+  std::uint64_t executions_ = 0;  // those of former robots
   std::unique_ptr<Robot> robot_;
   suture::HistoryCaller caller_{newLog("operator"), 1};
   std::unique_ptr<suture::Manager> console_;

@@ -12,11 +12,10 @@ namespace explorer {
 /// Tells what became of a world.
 struct Outcome {
   std::string lane;
-  std::string setup;  ///< lane and faults, for people
-  std::vector<std::string>
-      broken;             ///< what must not be: rules of the history, problems of the clock
-  unsigned answered = 0;  ///< calls that were
-  unsigned harms = 0;     ///< faults other than those of messages
+  std::string setup;                ///< lane and faults, for people
+  std::vector<std::string> broken;  ///< rules of the history and of the clock that did not hold
+  unsigned answered = 0;            ///< calls that were
+  unsigned harms = 0;               ///< faults other than those of messages
   suture::Trace trace;
 };
 

@@ -25,7 +25,7 @@ class ByteProxy {
   enum class Mode : std::uint8_t {
     Forward,
     HalfOpen,   ///< nothing passes, in either direction; all sockets stay open, bytes wait in them
-    OnlyThere,  ///< what the caller says passes, what it is told waits
+    OnlyThere,  ///< the caller's bytes pass, those for it wait
     OnlyBack,   ///< the reverse
     Throttle,   ///< a trickle passes
   };
@@ -34,7 +34,7 @@ class ByteProxy {
                ///< later ones work
     Cut,       ///< all connections are closed
     Reset,     ///< the same, by a reset
-    Truncate,  ///< what the caller says next passes by half, then its connection is closed
+    Truncate,  ///< half of what the caller says next passes, then its connection is closed
     BitFlip,   ///< one bit of what either says next is wrong; the first words of a connection are
                ///< spared, as they may agree on another lane
   };
@@ -89,7 +89,7 @@ class ByteProxy {
   static void close(Link& link, bool reset);
 
   const net::Address target_;
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // it guards the members below
   std::mt19937 random_;
   Mode mode_ = Mode::Forward;
   Duration delay_{0};

@@ -43,7 +43,7 @@ struct Operator final : PeriodicTask {
   std::atomic<int> resets{0};                ///< 1: to be asked for once
   std::atomic<Errc> resetEnd{Errc::NotYet};  ///< how that ended
   std::atomic<std::uint32_t> answer{0};
-  std::atomic<double> limit{-1};  ///< what to ask the arm for once; negative: nothing
+  std::atomic<double> limit{-1};  ///< the arm is asked for it once; negative: nothing
 };
 
 }  // namespace suture

@@ -15,7 +15,7 @@ using capnp::DynamicStruct;
 using capnp::DynamicValue;
 using Which = capnp::schema::Type::Which;
 
-constexpr int kDepth = 12;  // of types that hold themselves
+constexpr int kDepth = 12;  // a struct that holds itself does so no deeper
 
 template <class T>
 DynamicValue::Reader oneOf(std::initializer_list<T> values, Random& random) {

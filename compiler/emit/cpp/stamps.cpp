@@ -74,7 +74,7 @@ class ShiftEmitter {
         }
         break;
       case Shape::Variant: emitAlternatives(type, slot, depth); break;
-      default: break;  // of numbers and texts
+      default: break;  // numbers and texts hold no stamp
     }
   }
 

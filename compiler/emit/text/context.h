@@ -23,11 +23,11 @@ struct Context {
   const model::Lookup& lookup;
   const lock::Locks& locks;
   const lock::NodeIndexes& schemas;                  ///< `locks` as an update would leave them
-  const std::map<std::string, std::string>& hashes;  ///< by contract, see lock/contract_hash.h
+  const std::map<std::string, std::string>& hashes;  ///< each contract's, see lock/contract_hash.h
   const std::map<std::string, std::string>& cores;   ///< the same without optional commands
   const model::Header& header;                       ///< the one being written, or a share of it
-  const lock::Parts* parts = nullptr;                ///< of its schema, if that is split
-  unsigned share = 0;                                ///< the first has components and readers too
+  const lock::Parts* parts = nullptr;  ///< those that its schema is split into, if it is
+  unsigned share = 0;                  ///< the first has components and readers too
 };
 
 /// Turns "robots::arm::Pose" into "Pose" within namespace "robots::arm"; elsewhere it is unchanged.

@@ -30,8 +30,8 @@ std::string wireRow(const model::Interface& interface) {
 
 /// A Message is a slot that travels as a message, with the functions between the two.
 struct Message {
-  std::string name;    ///< what the functions are called behind "encode" and "decode"
-  std::string slot;    ///< its type
+  std::string name;    ///< "encode" and "decode" precede it in the functions' names
+  std::string slot;    ///< the slot's type
   std::string fields;  ///< the struct of the message
   std::vector<WireValue> values;
 };

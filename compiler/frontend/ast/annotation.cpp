@@ -238,7 +238,7 @@ class Reader {
   Annotation result_;
   std::set<std::string> seen_;
   std::vector<AnnotationProblem>& problems_;
-  clang::SourceLocation place_;                   // of the listed member that is being read
+  clang::SourceLocation place_;                   // where the member stands that is being read
   const clang::MemberExpr* mentioned_ = nullptr;  // that member, if no pointer to it can be had
 };
 

@@ -47,7 +47,7 @@ struct Annotation {
   bool bulk = false;
   bool all = false;
   unsigned arguments = 0;               ///< how many were given
-  std::vector<ExternalMember> members;  ///< of an external type, as listed
+  std::vector<ExternalMember> members;  ///< those that an external type lists
 };
 
 struct ExternalMember {
@@ -65,7 +65,7 @@ std::vector<std::string_view> annotationArguments();
 /// Says what is wrong with an annotation's arguments.
 struct AnnotationProblem {
   std::string slug, message, help;
-  clang::SourceLocation place;  ///< of the listed member; invalid if it is the declaration's
+  clang::SourceLocation place;  ///< the listed member's; invalid: the declaration's
 };
 
 /// Tells if the declaration bears the macro.

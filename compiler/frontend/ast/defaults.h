@@ -13,7 +13,7 @@ namespace suture::compiler::frontend {
 /// Says what a member is by default.
 struct Default {
   enum class State {
-    Nothing,       ///< what its type's own default is, or what only a constructor knows (isPreset)
+    Nothing,       ///< the type's own default, or one that only a constructor knows (isPreset)
     Constant,      ///< what `json` says
     NotConstant,   ///< a number that is known when the program runs
     NoEnumerator,  ///< a value of an enum that none of its enumerators has

@@ -14,8 +14,8 @@ namespace suture::compiler::frontend {
 /// A DataDeclaration is a struct that enters the model: one that is annotated itself, an instance
 /// of a template by its alias, or a foreign one that SUTURE_EXTERNAL_TYPE names.
 struct DataDeclaration {
-  const clang::CXXRecordDecl* record;  ///< what it is made of
-  const clang::NamedDecl* place;       ///< what gives it its name and home: errors stand there
+  const clang::CXXRecordDecl* record;  ///< the struct whose members it has
+  const clang::NamedDecl* place;       ///< it gives the name and the home, so errors stand there
   std::string name;                    ///< qualified
   std::string wireName;
   /// SUTURE_EXTERNAL_TYPE says this of a type that cannot be edited; it is absent if the type can

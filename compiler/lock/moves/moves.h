@@ -23,7 +23,7 @@ struct Move {
 
 struct Moves {
   std::vector<Move> all;
-  model::Diagnostics found;  ///< what cannot follow, and what might
+  model::Diagnostics found;  ///< these say what cannot follow, and what might
 };
 
 /// Finds what the headers of the model declare elsewhere, or under other names, than the locks

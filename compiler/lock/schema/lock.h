@@ -38,10 +38,10 @@ struct Member {
   unsigned ordinal = 0;
   /// A field or a parameter has this type; one of another file reads "/arm/arm.capnp:PoseStamped".
   std::string type;
-  std::string defaultValue;  ///< of a field, as capnp spells it; "" is zero
+  std::string defaultValue;  ///< a field's, as capnp spells it; "" is zero
   bool isMethod = false;
-  std::vector<Member> parameters;  ///< of a method
-  std::vector<Member> results;     ///< of a method
+  std::vector<Member> parameters;  ///< a method's; else empty
+  std::vector<Member> results;     ///< a method's; else empty
   Annotations annotations;
   std::string doc;    ///< it is written as a comment and never read back
   unsigned line = 0;  ///< in the lock file
@@ -73,7 +73,7 @@ struct Departure {
   /// The lock that the node has left calls it so, or the one in which it has another name now. If
   /// it came from a lock that is not there any more, it is "/arm/arm.capnp:Pose".
   std::string name;
-  std::uint64_t id = 0;  ///< of the node
+  std::uint64_t id = 0;  ///< the node's, as capnp has it
   TypePlace to;          ///< when it left; it may have moved on since then
 
   bool operator==(const Departure&) const = default;

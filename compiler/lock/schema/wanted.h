@@ -13,17 +13,17 @@ namespace suture::compiler::lock {
 
 struct WantedMember {
   Member member;
-  std::string title;  ///< for messages: "field 'robots::Pose::x'"
+  std::string title;  ///< "field 'robots::Pose::x'", as messages say it
   std::optional<std::string> was;
   model::Source source;
 };
 
 struct WantedNode {
-  Node node;  ///< its members stay empty
+  Node node;  ///< without members, which stand below
   std::string cxxName;
   std::string title;  ///< "struct 'robots::Pose'"
   std::vector<WantedMember> members;
-  std::optional<std::string> was;  ///< its C++ name before, qualified
+  std::optional<std::string> was;  ///< the former C++ name, qualified
   model::Source source;
 };
 

@@ -72,7 +72,7 @@ class JointMove {
  private:
   static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
   static constexpr double kShortest = 0.05;  // s
-  static constexpr double kShare = 0.5;      // of the acceleration, for braking
+  static constexpr double kShare = 0.5;      // braking takes so much of the acceleration
 
   /// Decides how long each joint brakes, and if all of them do so before they go to the goal.
   void planBraking(const Limits& limits) {
@@ -103,7 +103,7 @@ class JointMove {
 
   Joints from_, velocity_, to_;
   Joints braking_;              // s: how long each brakes
-  Joints way_;                  // of the profile
+  Joints way_;                  // how far the profile leads
   double brakesFirst_ = 0;      // s: the profile begins then
   double profile_ = kShortest;  // s: how long that takes
 };

@@ -21,7 +21,7 @@ struct ProcessGraph {
   };
   /// Holds all connections between two processes, in either direction.
   struct Link {
-    std::size_t first = 0, second = 0;  ///< of `processes`
+    std::size_t first = 0, second = 0;  ///< where they stand in `processes`
     std::size_t connections = 0;
     std::set<std::string> lanes;
     suture::Duration reads{0}, commands{0};  ///< the greatest p99 of all; 0: there were none

@@ -15,7 +15,7 @@ namespace demo {
 class ChildProcess {
  public:
   struct Start {
-    std::string title;                   ///< for messages: "process 'left'"
+    std::string title;                   ///< "process 'left'", as messages say it
     std::vector<std::string> arguments;  ///< the program's path first
     std::filesystem::path directory;     ///< where it runs
     int reportsTo;                       ///< the child's file descriptor whose output is read here

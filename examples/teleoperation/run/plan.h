@@ -25,7 +25,7 @@ struct Options {
   std::string network = "auto";  // as Network takes it
   double seconds = 10;
   double rate = 1000;    // Hz, of teleoperations; arms and drives run at half as much again
-  std::string dynamics;  // of the drives, as DriveDynamics names it; "": as in the file
+  std::string dynamics;  // as DriveDynamics names the drives'; "": as in the file
   std::string json;      // "": not wanted
   std::string picture;   // "": not wanted
   std::string cutOff;    // as parseBreak() takes it
@@ -40,7 +40,7 @@ suture::Duration lengthOf(const Options& options);
 struct Following {
   std::string master, slave, teleop;  ///< "process:component"
   std::filesystem::path masterRecording, slaveRecording, teleopRecording;
-  robots::DeclaredLag lag;  ///< of the slave's drives
+  robots::DeclaredLag lag;  ///< what the slave's drives say of themselves
 };
 
 /// Says how a process is cut off: its own connections work on, unless it is frozen.
@@ -60,7 +60,7 @@ struct RecordedSlave {
 struct KnotPlacing {
   std::filesystem::path recording;
   Eigen::Vector3d target;     ///< m
-  robots::KnotBounds bounds;  ///< by the parameters of the guide
+  robots::KnotBounds bounds;  ///< what the guide's parameters say
   bool isBounded;             ///< the guide's fixtures are on
 };
 

@@ -23,10 +23,10 @@ namespace demo {
 
 struct CrewResult {
   std::vector<suture::Report> reports;  ///< the last of each process
-  std::vector<std::string> failures;    ///< what went wrong, by name
-  bool interrupted = false;             ///< by Ctrl-C, or a request to end
+  std::vector<std::string> failures;    ///< each names what went wrong
+  bool interrupted = false;             ///< Ctrl-C or a request ended it
   std::vector<ProgramHash> programs;    ///< that ran as workstations; each is listed once
-  std::optional<Outage> outage;         ///< of a run in which a process was cut off and is back
+  std::optional<Outage> outage;         ///< set if a process was cut off and is back
   suture::Duration ran{};               ///< from when all were connected
   suture::Time ended;                   ///< when every process was asked to end
   std::optional<suture::Time> cutOff;   ///< when a process began to be cut off, if one was

@@ -10,7 +10,7 @@
 namespace demo {
 namespace {
 
-constexpr double kBytesOfArmRow = 420, kBytesOfKnotRow = 5000;  // of JSON
+constexpr double kBytesOfArmRow = 420, kBytesOfKnotRow = 5000;  // in JSON
 constexpr double kGigabyte = 1e9;
 
 /// Returns how many bytes a component records in a second; 0 if it is no recorder.

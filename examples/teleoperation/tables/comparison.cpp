@@ -69,7 +69,7 @@ void compareSettings(const std::string& subject, const json& first, const json& 
     return whole.contains(place) ? whole.at(place).dump() : "-";
   };
   for (const auto& [pointer, unused] : all.items()) {
-    if (pointer.empty()) continue;  // of an entry without settings
+    if (pointer.empty()) continue;  // an entry without settings has nothing to compare
     const Difference one{subject + pointer, textIn(first, pointer), textIn(second, pointer)};
     if (one.first != one.second) settings.push_back(one);
   }

@@ -18,9 +18,9 @@ struct Difference {
 /// entries say, what connects them. A component is the same one in both if its name is the same,
 /// wherever it runs.
 struct Comparison {
-  std::vector<Difference> places;       ///< of a component: its process
-  std::vector<Difference> settings;     ///< of a component, a process or a connection: any value
-  std::vector<Difference> connections;  ///< of a required interface: who provides it
+  std::vector<Difference> places;       ///< the process in which a component runs
+  std::vector<Difference> settings;     ///< any value of a component, a process or a connection
+  std::vector<Difference> connections;  ///< who provides what a required interface needs
   std::size_t equalPlaces = 0, equalConnections = 0;
 };
 

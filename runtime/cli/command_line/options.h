@@ -25,15 +25,15 @@ struct Options {
   std::string manager;                ///< address of the global manager, or of several
   std::string keys;                   ///< folder with its own; "": none
   net::Trust trust;                   ///< those keys
-  bool json = false;                  ///< for programs: JSON on standard output, errors too
-  Duration patience{0};               ///< for each step
+  bool json = false;                  ///< JSON on standard output for programs, errors too
+  Duration patience{0};               ///< how long each step may take
   std::string target;                 ///< the subject of the verb: "process:component/interface"
   std::string other;                  ///< the second subject
   std::string member;                 ///< name of a command or an event
-  std::vector<std::string> targets;   ///< of the doctor, any number
+  std::vector<std::string> targets;   ///< any number of subjects for the doctor
   std::vector<std::string> settings;  ///< "name=value" of arguments
   std::string arguments;              ///< all arguments as one JSON object
-  double rate = 10;                   ///< of a watched read, Hz
+  double rate = 10;                   ///< Hz: how often a watched read is asked
   unsigned count = 0;                 ///< how many to watch; 0: no end
   Duration period{0};                 ///< how long to watch; 0: no end
   KeysRequest newKeys;                ///< the keys to make

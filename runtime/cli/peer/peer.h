@@ -24,7 +24,7 @@ struct ConnectionRecord {
   std::string provided;  ///< "psm-host:PSM/Arm"
   std::string lane;
   std::string status;  ///< "connected"
-  Duration age{0};     ///< of that status
+  Duration age{0};     ///< how long it has had that status
   bool awaitsOperator = false;
 };
 

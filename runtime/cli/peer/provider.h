@@ -17,7 +17,7 @@ namespace suture::cli {
 /// Says how a command ended.
 struct Answer {
   Json value;                   ///< null if it has none
-  std::optional<Duration> age;  ///< of what was read, when it arrived
+  std::optional<Duration> age;  ///< how old the value that was read is when it arrives
   Duration ageError{0};         ///< how wrong the age may be; zero if both have one clock
 };
 

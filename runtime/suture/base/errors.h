@@ -33,7 +33,7 @@ enum class Errc : std::uint8_t {
   Suspended,         ///< the provider is suspended; the command was not executed
   Stale,             ///< the value is older than the connection's max_age
   AwaitingOperator,  ///< the connection was lost, and an operator must resume it; nothing was sent
-  Cancelled,         ///< its sender cancelled it in time; not executed
+  Cancelled,         ///< the sender cancelled the command in time; it was not executed
   CannotWait,        ///< events cannot be awaited in an event's handler, nor can those whose own
                      ///< handler is direct
   NotPermitted,      ///< the provider's policy lets this process read but not command; not executed

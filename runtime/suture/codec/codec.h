@@ -49,7 +49,7 @@ struct StampCodec {
 
 /// A command is a method of the interface of the contract that declares it.
 struct CommandCodec {
-  std::uint64_t interface;  ///< its id
+  std::uint64_t interface;  ///< the id of that interface
   std::uint16_t method;
   SentCodec sent;
   MessageCodec arguments = {}, result = {};
@@ -71,14 +71,14 @@ struct RowCodec {
   /// Fills the drafts of the columns that have come, and says which these are.
   rt::RowColumns (*decode)(capnp::AnyPointer::Reader in, WireNumbers numbers, Duration shift,
                            rt::StateTable& mirror);
-  std::int64_t (*stamp)(capnp::AnyPointer::Reader in);  ///< of the sender's clock, ns
+  std::int64_t (*stamp)(capnp::AnyPointer::Reader in);  ///< by the sender's clock, ns
 };
 
 /// A Codec is what suturec writes for one contract.
 struct Codec {
   capnp::InterfaceSchema (*schema)();
   std::uint64_t contract;                  ///< the id of its interface
-  std::uint64_t subscriber;                ///< and of its events interface
+  std::uint64_t subscriber;                ///< the id of the interface that hears its events
   std::span<const CommandCodec> commands;  ///< in the order of the contract's
   std::span<const EventCodec> events;
   RowCodec row;

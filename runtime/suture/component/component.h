@@ -24,7 +24,7 @@ class RequiredBase;
 
 /// Says what faulted a component.
 enum class FaultCause : std::uint8_t {
-  Code,        ///< its own code: a hook or handler threw
+  Code,        ///< a hook or handler of the component threw
   Connection,  ///< a connection that was lost or had too old values, whose contract says to fault
 };
 
@@ -193,7 +193,7 @@ class Component {
 
   const bool ownsThread_;  // read for each event and subscriber
   std::string name_ = "(unnamed)";
-  std::weak_ptr<const std::string> process_;  // of its manager, as long as that exists
+  std::weak_ptr<const std::string> process_;  // the manager's name for the process, while it exists
   std::atomic<std::uint64_t> faults_{0};
   std::atomic_flag parked_ = ATOMIC_FLAG_INIT;
   std::atomic<bool> ending_{false};

@@ -85,7 +85,7 @@ class Host {
   const ProcessEntry& process_;
   const Duration patience_;
   bool stopped_ = false;
-  std::vector<std::string> warnings_;  // of the start, until news() has returned them
+  std::vector<std::string> warnings_;  // what the start warned of, until news() has returned it
   RealTime realTime_{deployment_.document(), process_};  // locks what comes after it, too
   std::optional<ProcessComponents> components_;
   std::optional<MessageListener> messages_;

@@ -17,8 +17,8 @@ namespace suture::framing {
 /// Belongs to the control thread. A Caller is the peer at the other end of an accepted link.
 struct Caller {
   net::PeerIdentity identity;
-  std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports
-  std::shared_ptr<PeerBudget> budget;            ///< of the server, for unfinished messages
+  std::shared_ptr<const LinkCounters> counters;  ///< what the link has counted, for reports
+  std::shared_ptr<PeerBudget> budget;            ///< the server's room for unfinished messages
   /// The code that serves the peer sets this, once the peer has said what it wants. A link on which
   /// this stays false is closed after StreamLimits::helloMilliseconds.
   bool known = false;

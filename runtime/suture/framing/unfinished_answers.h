@@ -16,7 +16,7 @@ class UnfinishedAnswers {
  public:
   struct Limits {
     std::uint32_t questions;  ///< at a time
-    std::size_t bytes;        ///< of all answers together
+    std::size_t bytes;        ///< the sum over all answers
   };
 
   /// Notes a message of the peer. Returns which limit it breaks; "" if none.
@@ -34,7 +34,7 @@ class UnfinishedAnswers {
   void finish(std::uint32_t question);
 
   std::vector<Answer> answers_;  // by number of the question
-  std::size_t bytes_ = 0;        // of those that are not finished
+  std::size_t bytes_ = 0;        // the sum over unfinished answers
 };
 
 }  // namespace suture::framing

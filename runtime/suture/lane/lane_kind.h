@@ -23,7 +23,7 @@ namespace suture {
 
 /// A LaneSocket is a socket between the two processes of a session, for one lane.
 struct LaneSocket {
-  std::uint32_t number = 0;  ///< its number in both processes
+  std::uint32_t number = 0;  ///< both processes number it so
   net::ByteStream bytes;
   /// Counts what the peer has begun to send; null: it was called.
   std::unique_ptr<framing::PeerBudget::Share> share = nullptr;
@@ -52,7 +52,7 @@ struct OutgoingConnection {
   std::shared_ptr<rt::Doorbell> client;
   std::shared_ptr<const PeerState> peer = nullptr;
   Duration silence{0};     ///< that the client bears
-  std::uint32_t rows = 0;  ///< of state that the provider keeps, once it has accepted
+  std::uint32_t rows = 0;  ///< how many the provider keeps, once it has accepted
 };
 
 /// Holds a client's end that has been made. Its channel is not attached to the client yet.
@@ -104,7 +104,7 @@ struct IncomingConnection {
   const InterfaceInfo& contract;
   Channel::Terms terms;
   EventSet events = 0;                     ///< that the client wants, as this process numbers them
-  std::shared_ptr<rt::Doorbell> provider;  ///< of the thread that serves it
+  std::shared_ptr<rt::Doorbell> provider;  ///< the thread that serves it waits there
   bool readOnly = false;                   ///< the client may give no commands
   std::shared_ptr<const PeerState> peer = nullptr;
   Duration silence{0};  ///< that the client bears; 0: it does not say

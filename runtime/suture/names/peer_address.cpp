@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kEnd = ".sock";
 
-constexpr pid_t kLargestNumber = 4'194'304;  // of a process: PID_MAX_LIMIT of the kernel
+constexpr pid_t kLargestNumber = 4'194'304;  // the kernel's PID_MAX_LIMIT
 
 net::Address socketAt(const fs::path& path) {
   net::Address address;

@@ -14,7 +14,7 @@ namespace suture {
 struct InterfaceRecord {
   std::string name;      ///< "Arm"
   std::string contract;  ///< "robots::Arm"
-  std::string hash;      ///< of the wire contract
+  std::string hash;      ///< the wire contract's
   Frames frames;
 };
 

@@ -81,7 +81,7 @@ class Registry {
   std::string whyTooMuch(const std::string& name, std::size_t bytes, const Holding& holding) const;
 
   Processes processes_;
-  std::size_t bytes_ = 0;  // of all
+  std::size_t bytes_ = 0;  // the sum over all processes
   std::uint64_t generation_ = 0;
 };
 

@@ -65,14 +65,14 @@ struct ConnectionReport : Tally {
   std::uint64_t unknown = 0;   ///< at the client's end: a lost provider may have executed them
   std::uint64_t underWay = 0;  ///< no outcome yet, or at the client's end none that it has heard of
   Tally heard;                 ///< the part of its tally that a client's end has been told
-  std::uint64_t otherIncarnation = 0;  ///< of the process at the other end, as Report has its own
+  std::uint64_t otherIncarnation = 0;  ///< which start of the process at the other end
   std::uint64_t eventsDelivered = 0;
   /// Count messages either way that the lane lost, brought twice, or brought after newer ones
   /// (which are among the lost, too), as the client's end knows. None has had an effect.
   std::uint64_t messagesLost = 0, messagesDuplicated = 0, messagesOvertaken = 0;
 
-  Distribution readAge;     ///< of values when the client read them
-  Distribution commandAge;  ///< of commands when the provider executed them
+  Distribution readAge;     ///< how old values were when the client read them
+  Distribution commandAge;  ///< how old commands were when the provider executed them
 
   /// Counts, at the ends that are seen, commands that were neither executed, nor late, nor replaced
   /// by a newer one of the same kind.
@@ -111,13 +111,13 @@ struct DeviceReport {
 
 struct Report {
   std::string process;
-  Duration age{};  ///< of the process's observation: time since it began
+  Duration age{};  ///< since the process began to observe itself
   std::vector<ConnectionReport> connections;
   std::vector<TaskReport> tasks;
   std::vector<DeviceReport> devices = {};
   net::Refusals::Summary refusals = {};  ///< peers, and requests of peers
-  std::uint64_t incarnation = 0;  ///< of this start of the process; 0 without a global manager
-  Duration processorTime{};       ///< of all its threads: of tasks, and of what carries connections
+  std::uint64_t incarnation = 0;         ///< which start of the process; 0 without a global manager
+  Duration processorTime{};  ///< all its threads': those of tasks, and those that carry connections
 };
 
 /// Any thread. Turn a report into JSON: durations become whole nanoseconds, "dropped" stands beside

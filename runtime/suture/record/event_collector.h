@@ -16,7 +16,7 @@ namespace suture {
 
 struct EventCollectorOptions {
   std::vector<std::string> events = {};  ///< names of events; empty: all
-  CollectingInterval interval = {};      ///< for all its events together
+  CollectingInterval interval = {};      ///< one interval for all its events together
   bool collecting = true;                ///< from the start
   rt::Scheduling scheduling = {};
 };

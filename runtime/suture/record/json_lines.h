@@ -60,7 +60,7 @@ class JsonLines final : public Sink {
   std::mutex mutex_;  // locked only by the threads of collectors
   LineFile file_;
   std::string waiting_;  // whole lines that are not in the file yet
-  Counts told_;          // of those lines
+  Counts told_;          // how much stands in those lines
   Counts lost_;          // what the file system did not take, until the collector knows
 };
 

@@ -84,7 +84,7 @@ void StateCollector::stopCollecting() {
 void StateCollector::run() {
   const bool wanted = collection_.wanted();
   if (!wanted && !collection_.active()) return;
-  if (table_ != nullptr && !source_->has(table_)) {  // of a connection that is gone
+  if (table_ != nullptr && !source_->has(table_)) {  // its connection is gone
     takeRows();
     table_ = nullptr;
   }

@@ -55,7 +55,7 @@ class Flattening {
   }
 
   Leaves leaves_;
-  std::size_t bytes_ = 0;  // of the paths
+  std::size_t bytes_ = 0;  // how long all paths are together
 };
 
 Leaves leavesOf(std::string_view text) {

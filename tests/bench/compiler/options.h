@@ -9,7 +9,7 @@
 namespace bench {
 
 struct CompilerOptions {
-  std::size_t rounds = 9;  ///< of programs that run for about a second; a third of it for compilers
+  std::size_t rounds = 9;  ///< programs of about a second run so often, compilers a third of it
   int cpu;                 ///< that all programs run on
   std::string part;        ///< the only one to measure; "": all, as a check needs it
   bool quick = false;      ///< one round of everything

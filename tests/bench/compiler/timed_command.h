@@ -10,7 +10,7 @@
 namespace bench {
 
 struct CommandCost {
-  double seconds = 0;    ///< of processor time, user and system, of the program and its children
+  double seconds = 0;  ///< processor time, user and system, that the program and its children took
   double megabytes = 0;  ///< the most memory that it or a child had at a time
 };
 

@@ -19,8 +19,8 @@ constexpr std::size_t kHeaders = 10;
 /// Says how the build calls suturec for the components of the tree.
 struct Call {
   Command headers;    ///< the largest ones
-  Command options;    ///< what precedes "--", without --out
-  Command arguments;  ///< what follows it
+  Command options;    ///< those before "--", without --out
+  Command arguments;  ///< those behind it
 };
 
 Call readCall(const char* file) {

@@ -7,8 +7,8 @@
 namespace bench {
 
 struct LocalOptions {
-  int cpu;       ///< of everything that runs on one processor
-  int otherCpu;  ///< of what runs beside it; the same one if there is no other
+  int cpu;       ///< the processor of everything that runs on one
+  int otherCpu;  ///< the processor of what runs beside it; the same one if there is no other
   bool quick = false;
 
   LocalOptions();

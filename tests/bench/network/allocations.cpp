@@ -15,7 +15,7 @@ using suture::SetupError;
 
 struct Counts {
   std::uint64_t client, arm;
-  std::uint64_t lane, laneThreads;  // of both processes together
+  std::uint64_t lane, laneThreads;  // sums over both processes
 };
 
 void awaitCycles(const AllocationCount& count, std::uint64_t cycles) {

@@ -8,8 +8,8 @@
 namespace bench {
 
 struct FanOut {
-  std::vector<std::int64_t> ages;  ///< of each value when its receiver has it, ns
-  double load = 0;                 ///< of one processor, by both sides together, %
+  std::vector<std::int64_t> ages;  ///< ns: how old each value is when its receiver has it
+  double load = 0;                 ///< %: how much of one processor both sides take together
 };
 
 /// Writes once a millisecond `bytes` bytes to each of `receivers` Unix sockets, which another

@@ -47,7 +47,7 @@ class Sender final : public suture::PeriodicTask, public SampleServer {
 };
 
 struct Shape {
-  std::size_t processes, interfaces;  ///< of each
+  std::size_t processes, interfaces;  ///< each process has so many interfaces
 };
 
 void awaitConnections(const suture::Manager& manager, std::size_t wanted) {

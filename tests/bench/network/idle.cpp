@@ -32,7 +32,7 @@ struct Usage {
   double wakeUps = 0;
   double bytes = 0;  ///< over TCP, as this process has them
   double descriptors = 0;
-  double resident = 0;  ///< of the client, KiB
+  double resident = 0;  ///< KiB of the client
 };
 
 double residentOf(pid_t pid) {

@@ -11,10 +11,10 @@
 namespace bench {
 
 struct NetworkOptions {
-  int cpu;       ///< of both ends
-  int otherCpu;  ///< of the writer beside a reader; the same one if there is no other
+  int cpu;       ///< both ends run on it
+  int otherCpu;  ///< the writer beside a reader runs on it; the same one if there is no other
   bool quick = false;
-  std::string lane;  ///< of the round trips, by the name of its figure; "" = all
+  std::string lane;  ///< round trips use it: a name as in its figure; "" = all
 
   NetworkOptions();
   void addTo(CLI::App& options);

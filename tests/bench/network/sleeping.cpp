@@ -33,8 +33,8 @@ double wakeUpsOf(const std::set<fs::path>& threads) {
 
 /// Sleeping components take so much.
 struct Sleeping {
-  double wakeUps;      ///< of all their threads, in the whole window
-  double descriptors;  ///< of each
+  double wakeUps;      ///< all their threads' in the whole window
+  double descriptors;  ///< how many each component takes
 };
 
 Sleeping sleeping(std::size_t components, const NetworkOptions& options) {

@@ -30,7 +30,7 @@ using suture::SetupError;
 // A stop is noticed as a loss, and there is some work between two faults.
 constexpr suture::Duration kSilence = 100ms, kStopped = 200ms, kBetween = 100ms;
 
-constexpr int kPriority = 80;  // of the survivor's task
+constexpr int kPriority = 80;  // the survivor's task has it
 
 // Both loops have real-time priority, since what else runs on the machine would hide one loop
 // behind the noise of the other.
@@ -40,7 +40,7 @@ suture::rt::Scheduling scheduling(const NetworkOptions& options, int priority) {
 
 struct Periods {
   std::uint64_t executed = 0, skipped = 0;
-  suture::Duration longest{0};  // of the cycles
+  suture::Duration longest{0};  // the longest cycle
 
   Periods& operator+=(const Periods& other) {
     executed += other.executed;

@@ -14,7 +14,7 @@ struct Table2Options {
   std::size_t samples = 10000;
   std::size_t skip = 1000;
   double rateHz = 1000;
-  int cpu;  ///< of the event-driven loops and of the ping-pong
+  int cpu;  ///< the event-driven loops and the ping-pong run on it
   int fifoPriority = 80;
   std::string lane = "rpc";
   bool tcp = false;

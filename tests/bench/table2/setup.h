@@ -33,7 +33,7 @@ struct LoopSetup {
   Loop loop = Loop::Scs;
   Pace pace = Pace::Periodic;
   suture::Duration period = std::chrono::milliseconds(1);
-  suture::rt::Scheduling scheduling{};  ///< of both tasks; a processor is for all other threads too
+  suture::rt::Scheduling scheduling{};  ///< both tasks'; other threads keep to its processor
   std::size_t skip = 1000;
   std::size_t samples = 10000;
 

@@ -22,8 +22,8 @@ inline void keep(const std::string& address, const std::string& name, suture::Co
 
 /// Says which manager the client asks for its provider, and how it connects.
 struct Asking {
-  std::string manager;                                   ///< its address
-  suture::ConnectOptions options{.laneRequired = true};  ///< by the lane that was named
+  std::string manager;                                   ///< the manager's address
+  suture::ConnectOptions options{.laneRequired = true};  ///< no lane but the one named will do
 };
 
 /// Runs `talk()` in process "client", with `client` connected to the provider in the other.

@@ -8,7 +8,7 @@
 namespace experiment {
 namespace {
 
-constexpr std::size_t kLargest = 65536;  // of IPv4
+constexpr std::size_t kLargest = 65536;  // IPv4 has no larger packet
 
 suture::FaultPlan planOf(const PacketFate& fate) {
   return {.seed = fate.seed, .loss = fate.loss, .jitter = fate.jitter};

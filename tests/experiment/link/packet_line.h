@@ -14,7 +14,7 @@ namespace experiment {
 /// Says what packets meet on a link, in each of its directions.
 struct PacketFate {
   suture::Duration way{0};     ///< how long each of them takes
-  suture::Duration jitter{0};  ///< and up to so much longer; what follows waits behind it
+  suture::Duration jitter{0};  ///< any of them may take so much longer; later ones wait behind it
   double loss = 0;             ///< chance of each to be lost, of 0 to 1
   std::uint64_t seed = 1;
 };

@@ -43,14 +43,14 @@ struct HistoryEntry {
 
   Kind kind = Kind::Sent;
   Time at{};
-  std::uint32_t client = 0;  ///< whose command, or who heard
-  std::uint64_t id = 0;      ///< of the command: counts up, over all connections of a client
+  std::uint32_t client = 0;  ///< the client that commanded, or that heard
+  std::uint64_t id = 0;      ///< the command's; it counts up over all connections of a client
   std::uint64_t epoch = 0;   ///< which connection of the client; heard: which provider
   Duration limit{0};
   Errc error{};
   std::int64_t wall = 0;  ///< the wall clock of who wrote it down, ns: no rule is about it
   Duration age{0};        ///< executed: what the runtime compared with the ttl
-  std::string lane = {};  ///< by its name
+  std::string lane = {};  ///< the lane's name
   HistorySums sums = {};
 };
 
@@ -75,7 +75,7 @@ std::vector<HistoryEntry> readHistory(const std::vector<std::string>& files);
 
 /// Says what the rules allow.
 struct Tolerance {
-  Duration lateness;  ///< of the end of a call after its deadline
+  Duration lateness;  ///< how long after its deadline a call may end
   /// Says how long a provider may not have heard of a loss that its client has been told of: on
   /// `frame` and `rpc`, of one by a broken link.
   Duration unheard{0};

@@ -151,7 +151,7 @@ class HistoryCaller final : public Device {
   HistoryLog log_;
   const std::uint32_t number_;
   std::uint64_t id_ = 0, epoch_ = 0;
-  std::uint64_t lost_ = 0;  // of this connection it has been told so
+  std::uint64_t lost_ = 0;  // it has been told of so many on this connection
   std::shared_ptr<Channel> known_;
 };
 

@@ -88,7 +88,7 @@ TEST(HistoryChecker, ACommandOlderThanItsTtl) {
 
 TEST(HistoryChecker, ACommandThatBeginsAfterTheLoss) {
   History history = sound();
-  HistoryEntry& last = nth(history, Kind::Executed, 46);  // of a connection of the first client
+  HistoryEntry& last = nth(history, Kind::Executed, 46);  // the first client's connection ran it
   const HistoryEntry told = nth(history, Kind::Told, 0);
   ASSERT_EQ(last.epoch, told.epoch);
   last.at = told.at + kTolerance.unheard;

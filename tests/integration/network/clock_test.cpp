@@ -61,7 +61,7 @@ TEST_P(ClockTest, AgesAreRightWithinTheShownError) {
   const Duration error = channel->clockError(), wrong = channel->clockShift() + ahead;
   EXPECT_GT(error, Duration{0});
   EXPECT_LT(error, 100ms);
-  EXPECT_LE(std::max(wrong, -wrong), error + 2ns);  // of halving
+  EXPECT_LE(std::max(wrong, -wrong), error + 2ns);  // halving loses up to 2 ns
 
   // Its ttl is 500 ms; and its stamp comes back as it went.
   const auto pose = poseAt(2);

@@ -61,7 +61,7 @@ struct Random : std::mt19937_64 {
     length = before;
   }
 
-  int depth = 0;  // of structs that hold themselves
+  int depth = 0;  // how deep structs hold themselves
   Length length = Length::Any;
   bool finite = true;  // NaN and infinity are real numbers that no provider takes
 };

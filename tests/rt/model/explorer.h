@@ -19,7 +19,7 @@ struct Run {
 struct Outcome {
   std::uint64_t runs = 0;      ///< to the end, no two of them alike
   std::uint64_t given_up = 0;  ///< found to be like another
-  std::string violation;  ///< what did not hold, and in which order the threads ran; "": nothing
+  std::string violation;       ///< the broken rule, with the order of the threads' steps; "": none
 };
 
 /// Explores every order of the accesses, but only one of those that differ only in accesses that do

@@ -37,11 +37,11 @@ class Memory {
   struct Store {
     std::uint64_t value = 0;
     std::size_t writer = 0;
-    std::uint32_t time = 0;  // of the writer
+    std::uint32_t time = 0;  // the writer's, when it stored this
     Clock carries{};         // what an acquiring load of it then knows
   };
   struct Sight {
-    std::uint32_t time;  // of the reader
+    std::uint32_t time;  // the reader's, when it saw this
     std::size_t store;
   };
   struct Place {
@@ -49,7 +49,7 @@ class Memory {
     std::array<std::vector<Sight>, kMaxThreads> seen;
     std::array<unsigned, kMaxThreads> stale{};  // loads in a row that did not see the newest
   };
-  struct Shadow {  // of a word of plain memory
+  struct Shadow {  // what is known of a word of plain memory
     std::size_t writer = 0;
     std::uint32_t written = 0;
     Clock read{};

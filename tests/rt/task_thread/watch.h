@@ -67,7 +67,7 @@ class Watch {
   const Allowance allowance_;
   std::uint64_t cycle_ = 0;
   std::uint64_t faultsBefore_ = 0, movedBefore_ = 0;
-  unsigned sleeps_ = 0, wakes_ = 0;  // of this cycle
+  unsigned sleeps_ = 0, wakes_ = 0;  // how many this cycle has had
   unsigned lateWakes_ = 0;           // wakes that may still come
   long woken_[kMaxWoken] = {};
   std::vector<Finding> findings_;

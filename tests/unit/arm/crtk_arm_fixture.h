@@ -25,7 +25,7 @@ struct HeardOfArm : Deaf {
   std::vector<bool> goals, gravity;
   std::vector<double> ratios;
   std::vector<std::string> statuses, warnings, errors;
-  std::vector<ArmWarning> codes;  // of warnings and errors
+  std::vector<ArmWarning> codes;  // each warning and each error has one
 
   void desired_state(ArmState state) { desired.push_back(state); }
   void operating_state(const OperatingState& state) { states.push_back(state.state); }

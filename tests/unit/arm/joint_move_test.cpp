@@ -19,7 +19,7 @@ const Move::Limits kLimits{Triple(4, 2, 0.4), Triple(40, 10, 4)};
 class RandomMoves : public testing::Test {
  protected:
   static constexpr int kMoves = 10000;
-  static constexpr int kSamples = 200;  // of each
+  static constexpr int kSamples = 200;  // each move is looked at so often
 
   Triple any(const Triple& most) {
     Triple value;

@@ -83,7 +83,7 @@ TEST(Fairness, AFloodingClientDelaysByItsQueue) {
       ++held;
       if (held < 1000) (void)flooder.arm.hold();  // at once, in the drain that runs this
     };
-    constexpr int kDepth = 4;  // of hold
+    constexpr int kDepth = 4;  // hold() has a queue of so many
     for (int i = 0; i < kDepth; ++i) ASSERT_TRUE(flooder.arm.hold());
     for (int cycle = 1; cycle <= 10; ++cycle) {
       ASSERT_TRUE(other.arm.limit(1, Mode::Enabled));

@@ -34,7 +34,7 @@ class AgingArm final : public Task, public StillArm {
   }
 
   std::vector<Duration> ages;
-  Duration length{0};  // of hold()
+  Duration length{0};  // hold() takes so long
   Provided<ArmLike> port{*this, "Arm", *this};
 
  private:

@@ -97,7 +97,7 @@ TEST_F(FarChannel, AnEarlierSubscriptionsEventIsDropped) {
 TEST_F(FarChannel, AnInvalidEventIsDroppedAndCounted) {
   turn();
   const EventInfo& moved = near->info.events[kMoved];
-  std::vector<std::byte> payload(moved.payloadSize, std::byte{0xff});  // of NaN
+  std::vector<std::byte> payload(moved.payloadSize, std::byte{0xff});  // each number is a NaN
   far->events.push(kMoved, now(), payload);
   turn();
   arrive();

@@ -131,7 +131,8 @@ double swingAfterLeading(double seconds) {
     }
     const TipMotion seen = pass(toMaster, slave), led = pass(toSlave, master);
     const Vector3d push = feedback.force(master, seen, kStep);
-    slave.velocity += kStep * (coupling(model.gains, slave, led) - 20 * slave.velocity);  // of 1 kg
+    // The slave weighs 1 kg.
+    slave.velocity += kStep * (coupling(model.gains, slave, led) - 20 * slave.velocity);
     slave.position += kStep * slave.velocity;
     if (t < seconds) continue;
     master.velocity += kStep * (push - 2 * master.velocity) / 0.9;

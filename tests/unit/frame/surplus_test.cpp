@@ -46,7 +46,7 @@ class Growing {
   }
   /// Returns how many pieces the link takes until it has no more room for them.
   int room() {
-    constexpr int kMost = 255;  // of one value
+    constexpr int kMost = 255;  // one value has no more
     for (int pieces = 0;; ++pieces) {
       if (pieces % kMost == 0) add();
       grow();

@@ -334,7 +334,7 @@ TEST_F(MovesTest, ALockIsRenamedWithItsHeader) {
   EXPECT_EQ(nodeOf(to(after), "Part").id, nodeOf(from(before), "Part").id);
   EXPECT_EQ(nodeOf(user(after), "Whole").members[0].type, "/n/to.capnp:Part");
   EXPECT_EQ(errors(after), Slugs{});
-  after.files.at("n/user.capnp") = user(before);  // of a target that is updated later
+  after.files.at("n/user.capnp") = user(before);  // its target is updated later
   EXPECT_EQ(errors(after), Slugs{"lock-moved"});
 }
 

@@ -58,7 +58,7 @@ struct NotingArm final : PeriodicTask, StillArm {
   };
   std::vector<Execution> executed;
   std::atomic<bool> slow{false}, inHandler{false};
-  Duration length = 10ms;                             // of a slow handler
+  Duration length = 10ms;                             // how long a slow handler takes
   std::atomic<int> clients{0}, closed{0}, silent{0};  // what it has been told of them
   std::atomic<Time> gone{Time{}};                     // when it was last told anything
   Provided<reference::ArmLike> port{*this, "Arm", *this};

@@ -37,7 +37,7 @@ Eigen::Isometry3d poseOf(const Eigen::Vector3d& p, double angle) {
 }
 
 struct Faults {
-  double sign = 1;        // of the slave's translation
+  double sign = 1;        // -1: the slave moves the wrong way
   double extraLag = 0;    // s, undeclared
   bool frozen = false;    // measures the same for ever
   bool rotates = true;    // follows the orientation

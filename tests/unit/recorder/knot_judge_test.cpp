@@ -36,7 +36,7 @@ struct KnotFaults {
   double way = 0.03;          // m that the knot comes nearer
   double aside = 0;           // m from the target, where the knot stays
   double sightingsAside = 0;  // m from the truth
-  int unseenOfTen = 0;        // of ten rows in turn
+  int unseenOfTen = 0;        // so many rows of ten in turn have no sighting
   double guidedFrom = 0;      // s
   double guidedTo = kKnotRows / kRowsASecond;
 };

@@ -31,7 +31,7 @@ int someProcessor() {
 
 TEST(Scheduling, ASliceLeavesPolicyAndNiceness) {
   inThread([] {
-    ASSERT_EQ(setpriority(PRIO_PROCESS, 0, 7), 0);  // of this thread alone
+    ASSERT_EQ(setpriority(PRIO_PROCESS, 0, 7), 0);  // Linux has this for one thread
     askForSlice(kTaskSlice);
     EXPECT_EQ(getpriority(PRIO_PROCESS, 0), 7);
     EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);

@@ -21,7 +21,7 @@
 namespace suture {
 namespace {
 
-constexpr std::size_t kLongest = 107;  // of the path of a socket
+constexpr std::size_t kLongest = 107;  // a socket's path may not be longer
 
 // Its name is part of the path, so it must not lead into another folder.
 TEST(SocketPath, APathIsNoProcessName) {

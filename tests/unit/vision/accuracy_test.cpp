@@ -22,7 +22,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSensorNoise = 3;  // of 255, of each channel
+constexpr double kSensorNoise = 3;  // each channel goes up to 255
 constexpr double kBlur = 0.6;       // px
 constexpr int kImages = 12, kManyImages = 24;
 constexpr int kDepths = 7;  // 60, 70, ... 120 mm

@@ -119,7 +119,7 @@ class Channel {
   /// looks.
   std::atomic<std::uint32_t> faults{0};
   std::atomic<std::uint64_t> bytesSent{0}, bytesReceived{0};  ///< on the lane's wire; 0 on `local`
-  LastInvalid lastInvalid;  ///< of what this process checked, at either end
+  LastInvalid lastInvalid;  ///< the latest value that this process refused, at either end
 
   ChannelClient client;
   ChannelProvider provider;

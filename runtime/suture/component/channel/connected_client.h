@@ -21,7 +21,7 @@ struct ConnectedClient {
 enum class ClientNews : std::uint8_t {
   Connected,
   Closed,  ///< the connection was taken down, the client's process has ended, or the link broke
-  Silent,  ///< its process was silent for as long as the connection's `silence`
+  Silent,  ///< nothing came from the client's process for as long as the connection's `silence`
 };
 
 }  // namespace suture

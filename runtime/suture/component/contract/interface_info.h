@@ -39,7 +39,7 @@ struct CommandInfo {
   std::uint32_t depth;                   ///< how many may wait at the provider
   bool latest = false;                   ///< the newest one wins
   Duration ttl{0};                       ///< discarded when older; 0: never
-  int column = -1;                       ///< for a read: its column in the state table; else -1
+  int column = -1;                       ///< a read's column in the state table; -1: not a read
   Duration deadline = kDefaultDeadline;  ///< how long within() waits without a limit
   // A value that owns memory has a counted pointer in its record, see base/slots/shared_slot.h.
   bool sharedArguments = false, sharedResult = false;
@@ -95,7 +95,7 @@ std::array<Row, N> extended(std::span<const Row> base, const Row (&own)[Own]) {
 /// Describes one contract. All members have static storage.
 struct InterfaceInfo {
   const char* name;         ///< qualified C++ name: "robots::Arm"
-  const char* hash;         ///< of the wire contract; equal hashes are compatible
+  const char* hash;         ///< the wire contract's; equal hashes are compatible
   const char* description;  ///< JSON: types, units, documentation
   std::span<const CommandInfo> commands;
   std::span<const EventInfo> events;

@@ -18,7 +18,7 @@ inline constexpr const char kVersion[] = "0.1.0";
 inline constexpr const char kComponentsEntry[] = "suture_components";
 
 struct ComponentLibrary {
-  const char* version;  ///< of the Suture it was built with; first, so that any other can read it
+  const char* version;  ///< the version of Suture that built it; first, so that any can read it
   std::span<const ComponentClass> classes;
   /// The runtime inside the library asks this for time. The program that loads the library stores
   /// its own stepped clock there.

@@ -97,7 +97,7 @@ requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool> &&
          !std::is_same_v<T, char>) void fromJson(const JsonReader& in, T& value) {
   if constexpr (std::is_floating_point_v<T>) {
     if (!in.json().is_number()) return in.expected("a number");
-    using Limits = std::numeric_limits<T>;  // of a float
+    using Limits = std::numeric_limits<T>;
     const bool fits =
         sizeof(T) >= sizeof(double) || in.isWithin(static_cast<double>(Limits::lowest()),
                                                    static_cast<double>(Limits::max()), "a number");

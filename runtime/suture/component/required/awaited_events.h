@@ -50,7 +50,7 @@ class AwaitedEvent {
   Time armed_;
   bool over_ = false;
   Errc error_{};
-  AwaitedEvent* next_ = nullptr;  // of the same required interface
+  AwaitedEvent* next_ = nullptr;  // the required interface lists them
 };
 
 /// Lists the awaited events of one required interface. They link themselves, so that nothing is

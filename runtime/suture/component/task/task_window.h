@@ -18,7 +18,7 @@ struct DurationSummary {
 
 /// Measures one window of a task's cycles. It is a plain value, valid once `end` is set.
 struct TaskWindow {
-  Time begin{}, end{};        ///< of the first cycle, and of the first of the next window
+  Time begin{}, end{};        ///< when its first cycle began, and the first of the next window
   std::uint64_t cycles = 0;   ///< that began within
   std::uint64_t skipped = 0;  ///< periods or callbacks that passed without a cycle
   DurationSummary period;     ///< from the beginning of a cycle to that of the next

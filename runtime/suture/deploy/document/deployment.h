@@ -26,9 +26,9 @@ struct ComponentEntry {
   std::filesystem::path sharedLibrary;  ///< the file that has the class; "": the program
   nlohmann::json parameters;
   std::optional<RestartBudget> restart;
-  std::optional<rt::Scheduling> scheduling;  ///< of its thread; none: as its class says
-  std::map<std::string, Frames> frames;      ///< by the names of its interfaces
-  std::string pointer;                       ///< its place in the document
+  std::optional<rt::Scheduling> scheduling;  ///< the thread's; none: as its class says
+  std::map<std::string, Frames> frames;      ///< each interface's frames by its name
+  std::string pointer;                       ///< where the document describes it
 };
 
 /// Says what a process keeps of its components (record/black_box.h).
@@ -37,18 +37,18 @@ struct BlackBoxEntry {
   Duration last{}, period{};
   unsigned rows = 0;                    ///< 0: what each component asks for
   std::vector<std::string> components;  ///< their names; empty: all
-  std::string pointer;                  ///< its place in the document
+  std::string pointer;                  ///< where the document describes it
 };
 
 struct ProcessEntry {
   std::string name;
   std::vector<ComponentEntry> components;
   std::optional<BlackBoxEntry> blackBox;
-  std::optional<rt::Scheduling> scheduling;  ///< of the threads that carry connections
+  std::optional<rt::Scheduling> scheduling;  ///< how threads that carry connections are scheduled
   std::uint16_t port = 0;  ///< where others reach it; 0: one that the kernel takes
   bool lockMemory = false;
-  bool realTimeRequired = false;  ///< what the machine does not grant is an error
-  std::string pointer;            ///< its place in the document
+  bool realTimeRequired = false;  ///< it is an error if the machine refuses any of it
+  std::string pointer;            ///< where the document describes it
 };
 
 struct ConnectionEntry {

@@ -38,14 +38,14 @@ class DocumentBuilder {
   /// Says how far the parser has read.
   struct Taken {
     std::size_t characters = 0;
-    int line = 1;  // of the last of them
+    int line = 1;  // the line of the last character
   };
 
  private:
   struct Frame {
     nlohmann::json* container;
     std::string pointer;
-    std::string key;  // of the member that comes next
+    std::string key;  // the next member has this key
   };
 
   /// Puts a value into the innermost container and returns it there.

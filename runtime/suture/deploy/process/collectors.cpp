@@ -22,7 +22,7 @@ constexpr double kLongestInterval = 86400;  // s
 /// Holds what a deployment says of a collector.
 struct Parameters {
   std::string file;
-  std::vector<std::string> names;  // of reads, or events
+  std::vector<std::string> names;  // the reads or the events that are collected
   CollectingInterval interval;
   Duration period = StateCollectorOptions{}.period;
   bool collecting = true;

@@ -14,7 +14,7 @@ struct Interest {
                              ///< counted
   EventSet events;           ///< that the client wants
   EventSet joining;          ///< those that it wants anew: the last value first, if it is latched
-  rt::ColumnSet columns;     ///< of the state that it reads
+  rt::ColumnSet columns;     ///< the part of the state that it reads
 };
 
 }  // namespace suture

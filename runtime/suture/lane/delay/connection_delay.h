@@ -10,7 +10,7 @@ namespace suture {
 struct ConnectionDelay {
   Duration commands{0};  ///< from the client to the provider
   Duration answers{0};  ///< from the provider to the client: answers, events, rows of state, losses
-  FaultPlan faults{};   ///< for tests: the faults of each message, both ways
+  FaultPlan faults{};   ///< tests say here what befalls each message, both ways
 
   bool any() const { return commands > Duration{0} || answers > Duration{0} || faults.any(); }
 };

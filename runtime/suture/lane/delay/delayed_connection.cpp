@@ -216,7 +216,8 @@ bool DelayedConnection::sendRow(rt::ColumnSet columns, std::uint64_t& last) {
   const std::uint64_t newest = far_->state->rows(), capacity = far_->state->capacity();
   if (newest == last) return false;
   if (last == 0) nextRow_ = std::min(nextRow_, newest);  // its columns may be others now
-  if (newest > capacity) nextRow_ = std::max(nextRow_, newest - capacity + 1);  // of those kept
+  // The provider keeps no older rows.
+  if (newest > capacity) nextRow_ = std::max(nextRow_, newest - capacity + 1);
   for (; nextRow_ <= newest; ++nextRow_) {
     rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, row_.of(columns));
     if (row.sequence == 0) continue;

@@ -96,9 +96,9 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   Time nextMarks_{};
   std::uint64_t nextRow_ = 1;
   RowSlots row_;                                     // the row that is being taken
-  std::vector<rt::StateTable::Value> values_;        // of the row that is delivered
+  std::vector<rt::StateTable::Value> values_;        // those that are delivered as one row
   ChannelStatus status_ = ChannelStatus::Connected;  // the last status that was taken
-  std::uint32_t faultsTaken_ = 0;                    // of the provider
+  std::uint32_t faultsTaken_ = 0;                    // how many of the provider's were taken
   ClientCarrier client_;
   ProviderCarrier provider_;
 };

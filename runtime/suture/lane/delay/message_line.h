@@ -60,7 +60,7 @@ class MessageLine {
 
   DelayLine line_;
   FaultInjector faults_, markFaults_;
-  Fate fate_;                     // of the message that has been claimed
+  Fate fate_;                     // what befalls the claimed message
   std::byte* claimed_ = nullptr;  // with its header
   std::size_t claimedSize_ = 0;
   std::uint64_t sent_ = 0;

@@ -11,10 +11,10 @@ namespace suture {
 /// Says which faults one message meets.
 struct Fate {
   bool lost = false;
-  bool overtakable = false;  ///< what follows does not wait while this one is late
+  bool overtakable = false;  ///< later messages do not wait while this one is late
   bool duplicated = false;
   Duration later{0};           ///< it takes this much longer
-  Duration duplicateLater{0};  ///< its duplicate takes this much longer than the message
+  Duration duplicateLater{0};  ///< the duplicate arrives so much later than the message
   Duration stall{0};           ///< nothing arrives for this long from now on
 };
 

@@ -90,7 +90,7 @@ class Connection {
   Surplus* surplus_ = nullptr;
   Window window_;
   Pieces pieces_;                    // those that have arrived
-  Header whole_;                     // of the value that is being sent
+  Header whole_;                     // the header of the value that is being sent
   std::uint32_t wholeSize_ = 0;      // its bytes
   std::span<const std::byte> rest_;  // the bytes that have not been sent
   std::string why_, refusal_;

@@ -14,10 +14,10 @@ namespace suture::frame {
 /// Says how frames travel: both ends agree on the lane, the number and the form; the rest carries
 /// their frames in this process.
 struct FramedOn {
-  const char* lane;  ///< its name
+  const char* lane;  ///< the lane's name
   LaneThread& thread;
   std::shared_ptr<Link> link;  ///< an empty one lives only as long as it is held
-  std::uint32_t number;        ///< of the connection on the link
+  std::uint32_t number;        ///< the connection's number on the link
   Form form = Form::Slots;
 };
 

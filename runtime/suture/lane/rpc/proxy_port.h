@@ -73,7 +73,7 @@ class ProxyPort final : public ClientEnd,
   std::shared_ptr<const CallsLink> link_;  // null: the provider is here, or the connection is over
   kj::Maybe<capnp::Capability::Client> provider_;
   unsigned latestInFlight_ = 0;
-  std::vector<std::uint64_t> payload_;  // of the event that arrives
+  std::vector<std::uint64_t> payload_;  // where an arriving event is decoded
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> acknowledgement_;
   ClientCarrier carrier_;
   TurnRing client_{control_, [this] { carrier_.ringClient(); }};

@@ -46,7 +46,7 @@ bool EventQueue::pushLatest(Cell& cell, const EventRecord& record,
 void EventQueue::replace(Cell& cell, const EventRecord& record,
                          std::span<const std::byte> payload) {
   std::byte* const memory = cell.values.claim();
-  if (cell.shared) releaseSharedSlot(memory + sizeof(EventRecord));  // of one that was replaced
+  if (cell.shared) releaseSharedSlot(memory + sizeof(EventRecord));  // a replaced event held it
   forms_.write(memory, record, payload);
   const bool replaced = cell.values.commit();
   if (replaced && cell.queued) countDropped();

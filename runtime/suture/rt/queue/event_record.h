@@ -17,8 +17,8 @@ struct EventLimits {
   std::uint32_t depth;        ///< how many may wait
   bool latest;                ///< newest wins
   bool shared = false;        ///< the payload is a counted pointer, see base/slots/shared_slot.h
-  bool latched = false;       ///< its last value is kept when the queue is full
-  BoundedLevels levels = {};  ///< of the payload
+  bool latched = false;       ///< the last value is kept when the queue is full
+  BoundedLevels levels = {};  ///< those of the payload's slot
 };
 
 /// Precedes the payload of every event.

@@ -63,7 +63,7 @@ class LatestCell {
   std::shared_ptr<std::atomic<std::uint32_t>> shared_;
   alignas(64) std::uint32_t writing_ = 0;
   alignas(64) std::uint32_t reading_ = 2;
-  std::vector<std::byte> copy_;  // of a consumer in foreign memory
+  std::vector<std::byte> copy_;  // a consumer in foreign memory reads this one
 };
 
 template <class Copy>

@@ -24,7 +24,7 @@ struct CommandLimits {
   std::uint32_t depth;  ///< how many may wait; for latest(): how many calls with an answer may
   bool latest;          ///< newest wins, unless an answer was asked for
   bool shared = false;  ///< the arguments are a counted pointer, see base/slots/shared_slot.h
-  BoundedLevels levels = {};  ///< of the arguments
+  BoundedLevels levels = {};  ///< those of the arguments' slot
 };
 
 /// Precedes the arguments of every command.

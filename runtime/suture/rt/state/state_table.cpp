@@ -153,7 +153,7 @@ StateTable::~StateTable() {
 
 std::byte* StateTable::draft(unsigned column) {
   std::byte* const memory = draft_.data() + columns_[column].offset;
-  if (isShared(column)) releaseSharedSlot(memory);  // of a row that was not published
+  if (isShared(column)) releaseSharedSlot(memory);  // an unpublished row held it
   return memory;
 }
 

@@ -143,7 +143,7 @@ class StateTable {
     std::byte bytes[64];
   };
   struct RowHeader {
-    Word sequence;  // of the complete row that lies here; 0 while it is written
+    Word sequence;  // the complete row that lies here has this number; 0 while it is written
     Word stamp, valid, tooLarge, invalid;
   };
 

@@ -55,8 +55,8 @@ class Heartbeat {
     const std::string component_;
     const Bounds bounds_;
     const BootTime begun_ = BootClock::now();
-    std::size_t place_ = 0;  // of the component among the watched ones
-    Time due_{};             // of the component's thread, by the latest answer
+    std::size_t place_ = 0;  // the component's among the watched ones
+    Time due_{};             // when the component's thread is due, by the latest answer
     bool lost_ = false;
     Lost tellLost_;
     kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> well_;  // null: no caller waits for that

@@ -50,7 +50,7 @@ class NoticesReceiver final : public wire::Notices::Server {
 
  private:
   kj::Own<ProviderNews> news_;
-  const std::shared_ptr<Ledger> ledger_;  // of the connection
+  const std::shared_ptr<Ledger> ledger_;  // the connection's
   std::function<void(std::string)> lost_;
 };
 

@@ -85,7 +85,7 @@ class PeerSession final : private ClientSession {
   std::uint64_t peersIncarnation_ = 0;
   ClockOffset clock_;  // the peer's
   const std::shared_ptr<PeerState> state_ = std::make_shared<PeerState>();
-  Duration toldError_{0};  // of the clock, to the peer
+  Duration toldError_{0};  // how wrong the peer was last told its clock may be
   Duration longest_{0};    // the longest silence that a connection bears
   Heartbeat heartbeat_;
   std::vector<kj::Own<LaneClient>> lanes_;  // in the order of the process's lanes

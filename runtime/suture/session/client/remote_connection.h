@@ -96,7 +96,7 @@ class RemoteConnection {
   const ConnectOptions options_;
   const Listener listener_;
   DelayThread* const delays_;                     // nullptr: it has no delay
-  const std::shared_ptr<ConnectionWatch> watch_;  // of all its channels
+  const std::shared_ptr<ConnectionWatch> watch_;  // it outlives each channel
   const std::shared_ptr<Ledger> ledger_;
   const Duration longestSilence_;
   const std::size_t firstLane_;

@@ -15,9 +15,9 @@ class LatestConnections {
  public:
   /// Describes the latest connection of a required interface of a peer.
   struct Latest {
-    std::string bootId;  // of the peer's machine, whose clock gave the epoch
+    std::string bootId;  // the peer's machine, whose clock gave the epoch
     std::int64_t epoch;
-    std::uint64_t incarnation;  // of the peer's process; 0: it does not say
+    std::uint64_t incarnation;  // the peer's; 0: it does not say
     std::uint64_t greeting;     // by which the session began: nextGreeting() numbers them
     ProviderEnd* end;
   };

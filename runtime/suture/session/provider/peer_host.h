@@ -70,7 +70,7 @@ class PeerHost {
   const Directory& directory_;
   const Network::ServerOf serverOf_;
   const Network::TaskOf taskOf_;
-  const std::uint64_t incarnation_;  // of this process
+  const std::uint64_t incarnation_;  // this process's
   const Policy policy_;
   kj::Own<kj::PromiseFulfiller<void>> published_;
   kj::ForkedPromise<void> whenPublished_;
@@ -80,7 +80,7 @@ class PeerHost {
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Channel>> served_;
   AwaitedSockets sockets_;
-  Places secondSockets_;  // of all sessions, those that are awaited included
+  Places secondSockets_;  // all sessions share them, those that are awaited included
   net::Refusals refusals_;
   std::optional<framing::LinkServer> server_;  // last: its links use the rest
 };

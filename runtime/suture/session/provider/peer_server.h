@@ -83,7 +83,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
 
   PeerHost& host_;
   const std::shared_ptr<framing::Caller> caller_;
-  const Admission admission_;      // of the caller
+  const Admission admission_;      // what the caller may do
   std::string bootId_;             // the peer's, as it said in hello
   std::uint64_t incarnation_ = 0;  // likewise
   std::uint64_t greeting_ = 0;     // which of all that this process has had began this session
@@ -91,7 +91,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   std::vector<std::string> watched_;  // components that it gets reports of
   Places interfaces_;                 // taken from the question on, because an answer may take long
   std::vector<Held> held_;
-  bool anyEnded_ = false;  // of those, as the last ping found
+  bool anyEnded_ = false;  // one of `held_` had ended at the last ping
   ClientLeases leases_;
   std::map<std::string, kj::Own<LaneServer>> lanes_;
   SecondSockets sockets_;  // last: those that come go to the lanes

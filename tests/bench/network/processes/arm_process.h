@@ -54,7 +54,7 @@ class AllocationCount {
 
 /// An ArmResult is what an arm process says of itself.
 struct ArmResult {
-  std::uint64_t cycles, allocations, laneAllocations;  ///< of its AllocationCount
+  std::uint64_t cycles, allocations, laneAllocations;  ///< as its AllocationCount has them
   std::uint64_t laneThreads;
 };
 

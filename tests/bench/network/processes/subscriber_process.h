@@ -14,7 +14,7 @@ namespace bench {
 inline constexpr std::uint32_t kMeasured = 2;
 
 struct SubscriberSetup {
-  std::string process;  ///< its name
+  std::string process;  ///< the name of the subscriber's process
   std::string manager;
   suture::Lane lane = suture::Lane::Auto;
   std::size_t interfaces = 1;

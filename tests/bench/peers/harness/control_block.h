@@ -17,7 +17,7 @@ inline constexpr int kMostPublished = 4096;
 struct alignas(64) Received {
   std::atomic<std::uint64_t> count, disorder;
   std::atomic<std::int64_t> last;     ///< when the last one came, in ns
-  std::atomic<double> lastTimestamp;  ///< its own; when it is here, `count` has it too
+  std::atomic<double> lastTimestamp;  ///< the last message's own; `count` has it by then
 };
 
 struct ControlBlock {

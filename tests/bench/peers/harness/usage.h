@@ -13,7 +13,7 @@ std::int64_t processorTime(pid_t process);
 /// It counts for this process and another; the difference of two is what lies between them.
 struct Usage {
   std::int64_t here = 0, there = 0;  ///< processor time in ns
-  std::int64_t switches = 0;         ///< by threads of both that still live
+  std::int64_t switches = 0;  ///< context switches of both processes' threads that still live
   std::int64_t loopbackBytes = 0, loopbackPackets = 0;
 
   static Usage with(pid_t other);

@@ -26,7 +26,7 @@ constexpr std::int64_t kLongestAnswer = 5 * kSecond, kFirstAnswer = kSecond / 10
 
 /// It stands before the numbers of a blob.
 struct BlobLead {
-  std::uint64_t bytes;  ///< of the whole
+  std::uint64_t bytes;  ///< how long the blob is with this
   double timestamp;
 };
 

@@ -93,7 +93,7 @@ TEST(Spans, AreRefusedBeyondWhatTheirTypeCounts) {
   const SpansSlot largest = slotOf(value);
   EXPECT_TRUE(isValid(largest, nullptr));
   SpansSlot slot = largest;
-  slot.brief = 1e300;  // of a sender that counts in double
+  slot.brief = 1e300;  // a sender that counts in double can say so
   EXPECT_FALSE(isValid(slot, nullptr));
   slot = largest;
   slot.list.data[0] = -1e300;

@@ -21,7 +21,7 @@
 
 namespace suture {
 
-constexpr Duration kTtl = std::chrono::milliseconds(500);  // of servo_cp
+constexpr Duration kTtl = std::chrono::milliseconds(500);  // as servo_cp declares it
 
 /// Does what the test says in each limit().
 struct SlowArm final : PeriodicTask, StillArm {
@@ -102,7 +102,7 @@ class WaitingCommands : public testing::TestWithParam<std::optional<Lane>> {
   GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   SendingClient client_;
   std::uint64_t late_ = 0, refused_ = 0;
-  Duration oldest_{0};  // of those that were executed
+  Duration oldest_{0};  // of all that were executed, the one that waited longest
 };
 
 }  // namespace suture

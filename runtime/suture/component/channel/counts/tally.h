@@ -18,7 +18,7 @@ struct Tally {
   std::uint64_t failed = 0;      ///< the handler threw
   std::uint64_t replaced = 0;    ///< a newer one of the same latest() command came first
   std::uint64_t superseded = 0;  ///< a later command had run already
-  std::uint64_t cancelled = 0;   ///< its client cancelled it before it was executed
+  std::uint64_t cancelled = 0;   ///< the client cancelled the command before it was executed
   std::uint64_t eventsDropped = 0;
 
   /// Returns how many commands have an outcome.

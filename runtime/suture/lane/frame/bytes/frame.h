@@ -35,8 +35,8 @@ inline constexpr std::size_t kMostPayload = std::size_t{64} << 10;
 /// A Header is little-endian, as is every machine that this runs on.
 struct Header {
   std::uint32_t checksum = 0;      ///< CRC-32C of the rest of the header and of the payload
-  std::uint32_t size = 0;          ///< of the payload, without the padding to whole words
-  std::uint32_t epoch = 0;         ///< of the link
+  std::uint32_t size = 0;          ///< the payload's bytes, without the padding to whole words
+  std::uint32_t epoch = 0;         ///< the link's epoch
   std::uint32_t sequence = 0;      ///< 1, 2, ... in each direction
   std::uint32_t acknowledged = 0;  ///< how many frames of the connection its sender has taken,
                                    ///< except
@@ -45,7 +45,7 @@ struct Header {
   std::uint8_t error = 0;  ///< an Errc
   std::uint16_t number = 0;
   std::uint32_t call = 0;
-  std::uint32_t connection = 0;  ///< which one of the link
+  std::uint32_t connection = 0;  ///< the connection's number on the link
   std::int64_t stamp = 0;        ///< the sender's steady clock, ns
 };
 static_assert(sizeof(Header) == 40 && std::is_trivially_copyable_v<Header>);
@@ -55,7 +55,7 @@ static_assert(std::endian::native == std::endian::little);
 struct Subscription {
   std::uint64_t events;   ///< one bit for each
   std::uint64_t joining;  ///< those of which the last value comes first, if they are latched
-  std::uint64_t columns;  ///< of the state that the client reads
+  std::uint64_t columns;  ///< those of the state that the client reads
 };
 
 /// The largest frame has this many bytes.

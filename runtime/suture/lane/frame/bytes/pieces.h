@@ -45,7 +45,7 @@ class Pieces {
   const std::size_t own_, limit_;
   std::vector<std::uint64_t> storage_;
   std::size_t gathered_ = 0, whole_ = 0;  // bytes
-  std::uint16_t kind_ = 0;                // of the frame that brings the end
+  std::uint16_t kind_ = 0;                // the kind of the frame that brings the end
 };
 
 }  // namespace suture::frame

@@ -33,11 +33,11 @@ class EncodedPayloads final : public Payloads {
   std::span<const std::byte> packed(const Encode& encode);
 
   const InterfaceInfo& contract_;
-  RowSlots row_;                                        // of the row that is being sent
-  std::vector<capnp::word> scratch_;                    // of the message that is being sent; zero
+  RowSlots row_;                                        // what is sent as one row
+  std::vector<capnp::word> scratch_;                    // zeros, where a message is made to be sent
   std::optional<capnp::MallocMessageBuilder> message_;  // in scratch_
-  std::vector<std::uint64_t> slot_;                     // of the value that arrives
-  std::vector<rt::StateTable::Value> values_;           // of the row that arrives
+  std::vector<std::uint64_t> slot_;                     // where an arriving value is decoded
+  std::vector<rt::StateTable::Value> values_;           // those that arrive as one row
 };
 
 }  // namespace suture::frame

@@ -32,7 +32,7 @@ struct ArrivedValue {
 /// An ArrivedRow is a row that has arrived; its values are valid until the next call.
 struct ArrivedRow {
   rt::RowColumns columns;
-  std::span<const rt::StateTable::Value> values;  ///< by column, if it has one
+  std::span<const rt::StateTable::Value> values;  ///< a value for each column that has one
 };
 
 /// Returns true if the slots have stamps, and these are of another clock.

@@ -27,8 +27,7 @@ class RowReader {
   struct Column {
     const CommandInfo* read;
     std::size_t begin = 0;                // in the payload
-    std::unique_ptr<std::byte[]> slot{};  // of a value that does not travel whole, once one has
-                                          // come
+    std::unique_ptr<std::byte[]> slot{};  // set once a value has come that does not travel whole
   };
 
   bool begin(std::span<const std::byte> payload);
@@ -44,7 +43,7 @@ class RowReader {
   std::size_t place_ = 0;             // where it begins in the payload
   std::size_t come_ = 0;              // bytes of its slot
   std::size_t taken_ = 0;             // bytes of the payload for it
-  std::optional<UsedReader> reader_;  // of a column that does not travel whole
+  std::optional<UsedReader> reader_;  // it reads a column that does not travel whole
 };
 
 }  // namespace suture::frame
