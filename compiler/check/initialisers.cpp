@@ -5,13 +5,13 @@
 namespace suture::compiler::check {
 namespace {
 
-/// Tells if the rule default-range refuses the field, which is 0 if nothing initialises it.
+/// Tells if the range excludes 0, which an uninitialised field gets: default-range refuses that.
 bool excludesZero(const model::Field& field) {
   return field.range && (field.range->first > 0 || field.range->second < 0);
 }
 
-/// Tells if a field of this type that nothing initialises holds what its memory held. A struct that
-/// can be edited is told where it is declared.
+/// Tells if a field of this type that nothing initialises holds what its memory held. Returns false
+/// for a struct that can be edited, because that is reported where the struct is declared.
 bool isRaw(const model::Type& type, const model::Lookup& lookup) {
   if (type.shape == model::Type::Shape::Array) return isRaw(type.element.front(), lookup);
   if (type.shape != model::Type::Shape::Struct) return true;

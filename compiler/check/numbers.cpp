@@ -35,8 +35,8 @@ class NumberRule {
     }
   }
 
-  /// Reports a default out of range, because messages of senders that leave it, and of older ones,
-  /// would be refused.
+  /// Reports a default out of range: a sender that leaves the field as it is, or that is older and
+  /// lacks it, would have each message refused.
   void applyDefault(const model::Field& field) {
     if (!field.range || field.range->first > field.range->second) return;
     for (const double value : field.defaultNumbers) {

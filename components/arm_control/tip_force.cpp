@@ -4,8 +4,8 @@
 
 namespace robots {
 
-// The pivots are the squares of those of a QR decomposition of the transposed Jacobian with column
-// pivoting, and compile in a third of the time.
+// A QR decomposition of the transposed Jacobian with column pivoting would do the same: the pivots
+// here are the squares of its pivots. This one compiles in a third of the time.
 std::optional<kinematics::SpatialVector> wrenchOf(const Eigen::Matrix<double, 6, 6>& levers,
                                                   const kinematics::SpatialVector& moment) {
   constexpr double kLeastLever = 0.01;  // m: there 1 N.m stands for 100 N

@@ -9,11 +9,11 @@ namespace robots::kinematics {
 
 /// Does what `inverse` does, for the chains that mtmLeft() and mtmRight() make, in bounded time.
 /// Joints 4 to 7 meet in one point, so that yaw, shoulder and elbow follow from where that is. The
-/// other four give three of orientation: one is free. For the platform it takes, of the angles that
-/// leave the wrist within its limits, the range nearest to where it is in `start`, and in that
-/// range the angle at which joints 4 to 7 come nearest to those of `start`, searched downhill in at
-/// most eight steps of closed form. So joints that need not move stay near. Roll takes the turn
-/// nearest to `start`.
+/// other four joints set the three degrees of orientation, so that one of them, the platform, is
+/// free. It gets its angle in two steps. Of the ranges that leave the wrist within its limits, the
+/// nearest to the platform in `start` is taken. In that range at most eight steps of closed form go
+/// downhill to the angle at which joints 4 to 7 come nearest to those of `start`. So joints that
+/// need not move stay near. Roll takes the turn nearest to `start`.
 ///
 /// A goal is out of reach if the arm is too short or too long for it, else found or limited. If it
 /// is not found, a bounded search (nearest.h) finds the nearest point, and `iterations` counts its

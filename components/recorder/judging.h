@@ -30,8 +30,8 @@ inline ErrorSummary summarise(std::vector<double> errors) {
   return {at(0.5), at(0.99), errors.back(), mean};
 }
 
-/// Counts errors in buckets of 1 % width. Its greatest and its mean are exact, and its quantiles
-/// are the upper edges of their buckets, so that none below 1,000 is told too small.
+/// Counts errors in buckets of 1 % width. Its greatest and its mean are exact. A quantile is the
+/// upper edge of its bucket, so that up to 1,000 it is never less than the true one.
 class ErrorHistogram {
  public:
   /// `error` is not below zero.

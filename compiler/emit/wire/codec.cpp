@@ -199,8 +199,8 @@ std::string rowOf(const Context& context, const model::Interface& interface) {
                                            kBreakText + "decode" + columns + ">");
 }
 
-/// Returns how the codec spells all rows of its commands, of which its base has the first. Emits
-/// what joins the two.
+/// Returns the expression for the rows of all commands: those of the base first, then the
+/// contract's own. If both have some, it emits the table that joins them.
 std::string allCommands(Code& code, const Context& context, const model::Interface& interface) {
   const std::string own = "k" + prefixOf(interface, context) + "CommandCodecs";
   const std::size_t count = interface.commands.size(), owned = ownCommands(interface).size();

@@ -41,7 +41,7 @@ class ArmMotion {
     std::copy_n(drives.effort.data(), measuredJs_.effort.size(), measuredJs_.effort.begin());
     measuredCp_ = {tip, drives.stamp, valid};
   }
-  /// The set-point of the joints is of `now`, and that of the tip of the goal that it came from.
+  /// The joints' set-point is stamped `now`; the tip's has the stamp of the goal it came from.
   void setSetpoint(const Joints& joints, suture::Time now, const Eigen::Isometry3d& tip,
                    suture::Time goalStamp, bool valid) {
     place(setpointJs_, joints, now, valid);

@@ -16,9 +16,9 @@ struct Moment {
 /// Parses "4s", or "4s+1500ms"; none for any other text.
 std::optional<Moment> parseMoment(const std::string& text);
 
-/// Throws suture::SetupError, with `asked` as what was asked, if the moment begins within two
-/// seconds, while the arms get ready, lasts for less than one, in which it could not be told who
-/// holds, or ends less than three before the run does, so that it can be judged.
+/// Throws suture::SetupError, which quotes `asked`, in three cases: the moment begins within the
+/// first two seconds, in which the arms get ready; it lasts for less than one second, too short to
+/// tell who holds; or it ends less than three before the run does, too late to judge the work.
 void requireRoom(const std::string& asked, const Moment& moment, suture::Duration runLength);
 
 }  // namespace demo

@@ -7,11 +7,11 @@
 
 namespace demo {
 
-/// This is about what four arms record at the rates of the topologies' files, in MB a second.
+/// Four arms record about so many MB a second at the rates of the topologies' files.
 constexpr double kUsualRecording = 2.5;
 
-/// Throws suture::SetupError if what the recorders of this plan write in a run of that length does
-/// not fit into what is free where the folder is.
+/// Throws suture::SetupError if the disk of the folder has less room than the recorders of this
+/// plan need in a run of that length.
 void requireSpace(const Plan& plan, suture::Duration length, const std::filesystem::path& folder);
 
 }  // namespace demo

@@ -21,7 +21,8 @@ std::string title(const ProcessRecord& process) {
 
 }  // namespace
 
-// It could be mistaken for part of "process:component/interface", or for a path.
+// A name with one of these could be mistaken for part of "process:component/interface", or for a
+// path.
 std::string whyNoName(const std::string& name) {
   const bool good = !name.empty() && name.size() <= kMaxName &&
                     std::none_of(name.begin(), name.end(), [](unsigned char one) {

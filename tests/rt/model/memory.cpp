@@ -5,7 +5,7 @@
 namespace model {
 namespace {
 
-// A store becomes visible in finite time: so often, a thread may miss it.
+// A store becomes visible in finite time, so a thread may miss it only this often in a row.
 constexpr unsigned kMaxStale = 2;
 
 }  // namespace

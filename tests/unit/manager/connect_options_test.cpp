@@ -1,4 +1,4 @@
-// These connections are asked for with times that are none.
+// Each of these connections is asked for with a time that means nothing, or with zero.
 
 #include <gtest/gtest.h>
 #include <suture/manager/manager.h>

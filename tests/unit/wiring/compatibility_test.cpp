@@ -35,7 +35,7 @@ Compatibility compare(const Json& here, const Json& there) {
   return compatibility(here.dump(), there.dump());
 }
 
-/// Each is told to both ends.
+/// Expects that each end is told of the breaks as it sees them.
 void expectBreak(const Json& changed, const Lines& here, const Lines& there) {
   EXPECT_EQ(compare(contract(), changed).breaks, here);
   EXPECT_EQ(compare(changed, contract()).breaks, there);
@@ -71,7 +71,7 @@ TEST(Compatibility, NamesDoNotTravel) {
   expectBreak(renamed, {}, {});
 }
 
-TEST(Compatibility, AnotherTypeUnitOrDefault) {
+TEST(Compatibility, TypesUnitsAndDefaultsMustAgree) {
   Json changed = contract();
   changed["wire"][1]["members"][0]["is"] = "Float64 unit \"mm\"";
   changed["wire"][1]["members"][1]["is"] = "Int32";
@@ -85,7 +85,7 @@ TEST(Compatibility, AnotherTypeUnitOrDefault) {
                "'count' of struct Pose: Int32 here, Int32 = 7 there"});
 }
 
-TEST(Compatibility, AnotherKindOfTypeOrMajor) {
+TEST(Compatibility, KindsAndMajorVersionsMustAgree) {
   Json changed = contract();
   changed["wire"][0]["major"] = 2;
   changed["wire"][1]["kind"] = "union";

@@ -14,8 +14,8 @@
 
 namespace suture::frame {
 
-/// Belongs to the lane thread, except where a comment says any thread. All that its connections
-/// have to send leaves in one send, and arrives in one receipt; it breaks for all of them.
+/// Belongs to the lane thread, except where a comment says any thread. One send takes all that its
+/// connections have to send, one receipt brings it, and a link that breaks has broken for them all.
 class Link {
  public:
   /// `epoch` is in every frame, and the same at the other end. `share` counts what values take

@@ -44,8 +44,8 @@ class Session {
   const X509* certificate() const { return shown_.get(); }
 
   /// Do what recv(2) and send(2) do. Return the number of bytes; 0 if the peer has said that it is
-  /// done; -1 with an errno, of which EPROTO is explained by failure(). A short count says nothing
-  /// about what is left.
+  /// done; -1 with an errno, where failure() explains EPROTO. After a short count there may be more
+  /// to receive, or room for more.
   ssize_t receive(std::span<std::byte> into);
   ssize_t send(std::span<const std::byte> bytes);
   const std::string& failure() const { return failure_; }

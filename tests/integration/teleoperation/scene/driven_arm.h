@@ -25,7 +25,7 @@ struct DrivenArm {
   Drives drives;
 };
 
-/// `permit`: how old that of the emergency stop may be; 0: none is needed.
+/// `permit` is how old the emergency stop's permission may be; with 0 the drives need none.
 struct DrivenPsm : DrivenArm<Psm, PsmDrives> {
   explicit DrivenPsm(suture::Duration permit = {})
       : DrivenArm{Psm(PsmParameters{}), PsmDrives({.permit = permit})} {}

@@ -18,8 +18,8 @@ using namespace std::chrono_literals;
 constexpr Duration kPeriod = 20us;
 constexpr std::uint64_t kPeriods = 100'000;
 
-/// Tells in each cycle how many periods the clock is ahead of the count. A cycle that starts late
-/// sees its delay on top; so each end of the run counts as the least of ten thousand cycles.
+/// Keeps the least number of periods by which the clock is ahead of the count. A cycle that starts
+/// late adds its delay to that, so each end of the run takes the least of ten thousand cycles.
 class AheadOfCount {
  public:
   void add(double periods) { least_ = std::min(least_, periods); }
