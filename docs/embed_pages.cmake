@@ -27,6 +27,8 @@ set(text "#include \"${HEADER}\"\n\nconst std::map<std::string_view, std::string
 foreach(page IN LISTS pages)
   get_filename_component(name ${page} NAME_WE)
   file(READ ${page} content)
+  # What stands behind the language of a block is for the tests of pages.
+  string(REGEX REPLACE "(\n```[a-z]+) [^\n]*" "\\1" content "${content}")
   string(APPEND text "      {\"${name}\", R\"page(${content})page\"},\n")
 endforeach()
 string(APPEND text "  };\n  return pages;\n}\n")

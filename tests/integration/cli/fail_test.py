@@ -148,6 +148,9 @@ class Fail(System):
         self.assertIn("explain 'Errc::NotYett': no error has that name or text. There are 'awaiting-operator', ", error)
         self.assertIn("or name two interfaces", error)
 
+    def test_a_page_shows_the_language_of_a_block_only(self):
+        self.assertRegex(self.run_without_manager("why", "Invalid").stdout, "\n```cpp\n")
+
     def test_each_error_says_where_more_is(self):
         self.assertIn('\nsuture: `suture why "reach the global manager: ..."` tells more\n', self.run_suture("ps").stderr)
 
