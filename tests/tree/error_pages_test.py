@@ -61,6 +61,14 @@ def missing_messages(root, pages):
             yield f"{site.file}:{site.line}: no row of docs/errors/{SET_UP}-*.md explains '{site.words}'"
 
 
+def missing_lines(root, pages):
+    """Yields each place that prints a line on standard error which no row explains."""
+    patterns = [pattern for _, page in pages for pattern in error_sites.patterns(page)]
+    for site in error_sites.printed(root):
+        if not any(error_sites.has_parts(site.words, pattern) for pattern in patterns):
+            yield f"{site.file}:{site.line}: no row of docs/errors/{RUNNING} or {SET_UP}-*.md explains '{site.words}'"
+
+
 def violations(root):
     folder = root / "docs/errors"
     names, text_of = enumerators(root), texts(root)
@@ -88,6 +96,7 @@ def violations(root):
             yield f"docs/errors/README.md has a row for {name}, which no enumerator is"
     yield from unknown_messages(root, [*set_up, (RUNNING, pages.get(RUNNING, ""))])
     yield from missing_messages(root, set_up)
+    yield from missing_lines(root, [*set_up, (RUNNING, pages.get(RUNNING, ""))])
     for page, text in sorted(pages.items()):
         if not page.startswith(SET_UP) and text.count("\n") > MAX_LINES:
             yield f"docs/errors/{page}: more than {MAX_LINES} lines"
@@ -128,6 +137,10 @@ class Planted(unittest.TestCase):
 
     def test_nothing(self):
         self.expect()
+
+    def test_a_printed_line_without_a_row(self):
+        self.write("runtime/a.cpp", 'std::fprintf(stderr, "cart: %s\\n", text);\nstd::fprintf(stderr, "%s has lost a wheel\\n", name);\n')
+        self.expect("runtime/a.cpp:2: no row of docs/errors/running.md or set-up-*.md explains '... has lost a wheel'")
 
     def test_an_enumerator_without_an_explanation(self):
         self.edit("runtime/suture/base/errors.h", "TooOld,", "TooOld,\n  CannotWait,")

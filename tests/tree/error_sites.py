@@ -9,8 +9,10 @@ import typing
 
 MAKERS = re.compile(r"\b(SetupError|UsageError|DocumentError|refuse|report|locate|failure|disconnected|problems_?\.push_back)\s*\(|\{\s*(?=Kind::)")
 MAKERS_OF_DRIVER = re.compile(r"\b(runtime_error|ValidationError)\s*\(")
+PRINTERS = re.compile(r"\bfprintf\s*\(\s*(?=stderr\b)|\bprintUnlessFull\s*\(")
 FOLDERS = {"runtime": MAKERS, "components": MAKERS, "examples": MAKERS, "compiler/driver": MAKERS_OF_DRIVER}
 OF_ANOTHER = re.compile(r"\.what\(\)|\blocate\(|\bwarn\(")  # what is made around another message has no row of its own
+BEFORE_ANOTHER = re.compile(r"[\w ./-]*: \.\.\.$")  # puts the name of a program before a message that has its own row
 LEAST = 9  # letters, a space among them, that tell one message from another
 ANY = "..."
 OTHERWISE = "\0"  # stands between the texts of `condition ? one : other`
@@ -111,3 +113,18 @@ def sites(root):
                     if is_telling(one):
                         yield Site(path.relative_to(root).as_posix(), text.count("\n", 0, match.start()) + 1, one,
                                    one if OTHERWISE in found else whole)
+
+
+def printed(root):
+    """Yields a Site for each line that a program but `suture` prints on standard error with words of its own."""
+    for folder in FOLDERS:
+        for path in sorted((root / folder).rglob("*")):
+            name = path.relative_to(root).as_posix()
+            if path.suffix not in (".cpp", ".h") or name.startswith(("runtime/cli/", "compiler/")):
+                continue
+            text = without_comments(path.read_text(encoding="utf-8"))
+            for match in PRINTERS.finditer(text):
+                given = arguments(text, text.rfind("(", 0, match.end()))
+                line = re.sub(r"%\w", ANY, words(given[1] if given[0] == "stderr" else given[0])).strip()
+                if is_telling(line) and not BEFORE_ANOTHER.match(line):
+                    yield Site(name, text.count("\n", 0, match.start()) + 1, line, line)

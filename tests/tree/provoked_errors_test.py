@@ -1,4 +1,5 @@
-"""Each message of set-up that the sources make is provoked by a test, which has words of it; or it is below, with the reason.
+"""Each message of set-up that the sources make, and each line that docs/errors/running.md explains, is provoked by a test, which has words
+of it; or it is below, with the reason.
 
   provoked_errors_test.py ROOT      checks that tree, and that a message without a test is found in a small one
 """
@@ -45,7 +46,7 @@ def texts_of_tests(root):
 def is_in(site, text):
     """Tells if the words of what was found are in the text with others between them, or a run of them is: many errors share a remedy."""
     parts = [re.escape(part) for part in site.words.split(error_sites.ANY)]
-    if sum(map(len, parts)) >= error_sites.LEAST and re.search(".{1,60}?".join(filter(None, parts)), text):
+    if sum(map(len, parts)) >= error_sites.LEAST and re.search(".{0,60}?".join(filter(None, parts)), text):
         return True
     for part in site.words.split(error_sites.ANY):
         words = part.strip(" .:;,'\"").split()
@@ -53,6 +54,13 @@ def is_in(site, text):
         if any(len(run) >= LEAST and run in text for run in runs):
             return True
     return False
+
+
+def running(root):
+    """Yields what the rows of docs/errors/running.md explain, each as a Site."""
+    page = root / "docs/errors/running.md"
+    for pattern in error_sites.patterns(page.read_text(encoding="utf-8")) if page.exists() else ():
+        yield error_sites.Site("docs/errors/running.md", 0, pattern, pattern)
 
 
 def violations(root, not_provoked):
@@ -66,6 +74,9 @@ def violations(root, not_provoked):
             yield f"{site.file}:{site.line}: a test provokes '{site.words}': remove it from the list"
         elif not provoked and not reasons:
             yield f"{site.file}:{site.line}: no test provokes '{site.words}'"
+    for site in running(root):
+        if not is_in(site, text):
+            yield f"{site.file}: no test provokes '{site.words}'"
     for words in sorted(left):
         yield f"no source says '{words}': remove it from the list"
 
@@ -95,6 +106,12 @@ class Planted(unittest.TestCase):
         self.write("tests/unit/a_test.cpp", 'EXPECT_TRUE(contains(error, "wheels too many"));\n')
         (found,) = violations(self.root, {})
         self.assertIn("runtime/a.cpp:1: no test provokes", found)
+
+    def test_a_row_of_a_running_process_without_a_test(self):
+        self.write("tests/unit/a_test.cpp", 'EXPECT_TRUE(contains(error, "3 wheels too few for"));\n')
+        self.write("docs/errors/running.md", "| `the cart has ...lost a wheel: ` | x | y |\n")
+        (found,) = violations(self.root, {})
+        self.assertEqual(found, "docs/errors/running.md: no test provokes 'the cart has ...lost a wheel: '")
 
     def test_a_remedy_is_not_enough(self):
         self.write("runtime/a.cpp", 'throw SetupError("use it", "it has " + count + " wheels too few", "Add some wheels of that size");\n')

@@ -30,7 +30,9 @@ const char* remedyFor(const std::string& reason) {
 /// `why` has, by the name of each connection, what its client's end was told: "closed: ...".
 std::string lossText(const std::map<std::string, std::string>& why, const std::string& name) {
   const auto told = why.find(name);
-  if (told == why.end()) return "is lost: the process at its other end is gone. Start it again";
+  if (told == why.end())
+    return "is lost: its provider has been stopped, or the process at its other end is gone. Start "
+           "it again";
   std::string reason = told->second;
   if (reason.ends_with('.')) reason.pop_back();  // what TLS says is a whole sentence
   return "is lost, " + reason + ". " + remedyFor(reason);

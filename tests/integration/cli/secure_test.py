@@ -19,6 +19,15 @@ class SecureSystem(System):
         words = [word for name in names for word in ("--process", name)]
         return self.told_without_manager("keys", *words, "--out", out or self.keys)["made"]
 
+    def make_ca(self, days):
+        """Returns a new folder with a CA that ends after so many days."""
+        folder = pathlib.Path(self.keys + "-short")
+        folder.mkdir(mode=0o700)
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "ed25519", "-nodes", "-days", str(days), "-subj", "/CN=Suture CA",
+                        "-keyout", folder / "ca.key", "-out", folder / "ca.crt"], check=True, capture_output=True)
+        (folder / "ca.key").chmod(0o600)
+        return folder
+
     def start_system(self):
         self.make_keys("robot", "suture")
         manager = self.start_and_hear(MANAGER, "--listen", "tls://127.0.0.1:0", "--keys", self.keys)
@@ -40,13 +49,17 @@ class SecureSystem(System):
         self.assertEqual(done.returncode, 1, done)
         self.assertIn("late", done.stderr)
 
+    def test_a_manager_warns_before_its_ca_ends(self):
+        folder = self.make_ca(days=20)
+        self.run_without_manager("keys", "--process", "suture-manager", "--out", str(folder))
+        with (folder / "told").open("w") as stderr:
+            self.start(MANAGER, "--listen", "tls://127.0.0.1:0", "--keys", folder, stderr=stderr)
+        self.assertRegex((folder / "told").read_text(),
+                         rf"^suture-manager: warning: the CA {folder}/ca.crt ends at .* UTC. Before that, make the keys of all processes anew")
+
     def test_it_says_that_a_ca_shortens_the_life_of_a_certificate(self):
         self.assertNotIn("warning", self.told_without_manager("keys", "--process", "robot", "--out", self.keys))
-        short = pathlib.Path(self.keys + "-short")
-        short.mkdir(mode=0o700)
-        subprocess.run(["openssl", "req", "-x509", "-newkey", "ed25519", "-nodes", "-days", "100", "-subj", "/CN=Suture CA",
-                        "-keyout", short / "ca.key", "-out", short / "ca.crt"], check=True, capture_output=True)
-        (short / "ca.key").chmod(0o600)
+        short = self.make_ca(days=100)
         done = self.run_without_manager("keys", "--process", "robot", "--out", str(short))
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
         self.assertRegex(done.stdout.splitlines()[-1], r"^These certificates end at 20\d\d-\d\d-\d\d \d\d:\d\d UTC, which is sooner than usual, "

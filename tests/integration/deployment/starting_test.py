@@ -48,6 +48,10 @@ class Starting(Stations):
         self.assertEqual(hand.stderr.readline(), "here: runs 'Hand'\n")
         self.assertEqual(platter.stderr.readline(), "there: runs 'Platter'\n")
 
+    def test_a_process_without_components_says_so(self):
+        station = self.workstation({"processes": [{"name": "one", "components": []}]}, "--seconds", "0.1")
+        self.assertEqual(station.communicate(timeout=60)[1], "one: runs no component\n")
+
     def test_who_reads_reports_is_told_there(self):
         station = self.workstation({"processes": [{"name": "one", "components": []}]},
                                    "--report-fd", "-", "--report-form", "text", "--seconds", "0.1")

@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "reference/still_arm.h"
 #include "support/contains.h"
 #include "support/eventually.h"
 #include "support/patience.h"
@@ -32,6 +33,16 @@ class ThrowsOnce final : public PeriodicTask {
   }
 
   bool thrown_ = false;
+};
+
+class BrokenArm final : public PeriodicTask, public StillArm {
+ public:
+  BrokenArm() : PeriodicTask({.period = 1ms}) {}
+
+ private:
+  void run() override { throw std::runtime_error("a cable has torn"); }
+
+  Provided<reference::ArmLike> port_{*this, "Arm", *this};
 };
 
 class Talking final : public PeriodicTask {
@@ -135,6 +146,38 @@ TEST(Host, ARestartIsNews) {
                               "component 'all:T' runs again after fault 1: its code threw: once"}));
   EXPECT_TRUE(host.news().empty());
   EXPECT_TRUE(host.troubles().empty());
+}
+
+TEST(Host, AStoppedProviderHereIsNamed) {
+  const Deployment deployment = deploymentOf(
+      "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
+      "{\"name\": \"Client\", \"class\": \"Client\"}",
+      "{\"from\": \"Client/Arm\", \"to\": \"PSM/Arm\"}");
+  Host host(deployment, "all", kClasses);
+  host.start();
+  dynamic_cast<reference::SimulatedArm&>(host.manager().directory().component("PSM")).stop();
+  EXPECT_EQ(
+      troublesOf(host),
+      (std::vector<std::string>{
+          "connection 'all:Client/Arm -> all:PSM/Arm' is lost: its provider has been stopped, "
+          "or the process at its other end is gone. Start it again"}));
+}
+
+TEST(Host, AFaultedProviderBringsNothing) {
+  const std::array classes{ComponentClass{"Client", createWithoutParameters<Client>},
+                           ComponentClass{"Broken", createWithoutParameters<BrokenArm>}};
+  const Deployment deployment = deploymentOf(
+      "{\"name\": \"PSM\", \"class\": \"Broken\"},\n"
+      "{\"name\": \"Client\", \"class\": \"Client\"}",
+      "{\"from\": \"Client/Arm\", \"to\": \"PSM/Arm\"}");
+  Host host(deployment, "all", classes);
+  host.start();
+  eventually([&] { return host.troubles().size() == 2; });
+  const std::vector<std::string> troubles = troublesOf(host);
+  ASSERT_EQ(troubles.size(), 2u);
+  EXPECT_EQ(troubles[1],
+            "connection 'all:Client/Arm -> all:PSM/Arm' brings nothing until its provider is "
+            "restarted, which has faulted");
 }
 
 TEST(Host, PromisesNoConnectionToAStoppedComponent) {

@@ -1,5 +1,6 @@
 // Several connections share one socket.
 #include <gtest/gtest.h>
+#include <suture/lane/frame/frame_end.h>
 #include <suture/lane/frame/lane_thread.h>
 #include <suture/lane/frame/link.h>
 
@@ -8,12 +9,14 @@
 
 #include <atomic>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "reference/played_channel.h"
 #include "support/eventually.h"
 #include "support/pass.h"
+#include "support/patience.h"
 #include "support/refusal.h"
 #include "support/refused_call.h"
 #include "support/repetitions.h"
@@ -185,6 +188,24 @@ TEST_F(LinkTest, ABrokenLinkEndsAllConnections) {
   Pair late(2);
   near->join(late.client);
   EXPECT_TRUE(late.client->broken());
+}
+
+TEST_F(LinkTest, ABrokenLinkTellsItsEnds) {
+  Pair& one = add(1);
+  exchange();
+  far.reset();
+  near->arrived();
+  near->turn();
+  loop::ControlThread control;
+  std::string told;
+  kj::Own<FrameEnd> end;
+  control.run(kPatience, [&] {
+    end = kj::refcounted<FrameEnd>(control, one.near, one.client);
+    end->onBroken([&told](std::string why) { told = std::move(why); });
+  });
+  control.run(kPatience, [] {});  // it looks at its ends between one work and the next
+  control.run(kPatience, [&end] { end = nullptr; });
+  EXPECT_EQ(told, "closed: its frames end: the other end has closed it");
 }
 
 TEST_F(LinkTest, AConnectionAfterItsEndIsTold) {

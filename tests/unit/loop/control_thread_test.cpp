@@ -66,6 +66,15 @@ TEST(ControlThread, RunPassesOnWhatWasThrown) {
   EXPECT_STREQ(rejected.what(), "gone");
 }
 
+TEST(ControlThread, AFailureThatNobodyAwaitsIsPrinted) {
+  testing::internal::CaptureStderr();
+  ControlThread control;
+  control.run(kPatience, [&control] { control.spawn(disconnected("no such robot")); });
+  control.run(kPatience, [&control] { return control.timer().afterDelay(1 * kj::MILLISECONDS); });
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "suture: a background task failed: no such robot\n");
+}
+
 TEST(ControlThread, RunEndsAtItsDeadlineAndCancels) {
   ControlThread control;
   auto cancelled = std::make_shared<std::atomic<bool>>(false);

@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "support/stepped.h"
+
 namespace suture {
 namespace {
 
@@ -22,6 +24,7 @@ struct Answers {
   std::vector<Duration> overdue;
   unsigned silentAfter = std::numeric_limits<unsigned>::max();
   unsigned asked = 0;
+  Duration sleep{0};      // the machine is suspended for so long when it is asked
   std::size_t named = 0;  // lists of components that it has been told
   std::vector<std::string> components;
 };
@@ -36,6 +39,7 @@ class AnsweringPeer final : public wire::Peer::Server {
     if (in.hasComponents()) name(in.getComponents());
     // A task that does not move stays due at the moment at which it first was.
     const unsigned turn = answers_.asked++;
+    if (answers_.sleep != Duration{0}) clockOfTest().suspend(answers_.sleep);
     if (turn >= answers_.silentAfter) return kj::NEVER_DONE;
     if (turn < answers_.overdue.size()) due_ = now() - answers_.overdue[turn];
     auto out = context.getResults();
@@ -124,6 +128,14 @@ TEST_F(HeartbeatTest, AMutePeerIsLost) {
   const Time begun = now();
   EXPECT_TRUE(whyLost({}).starts_with("silent: its process has not answered for 5000 ms"));
   EXPECT_EQ(now() - begun, kBounds.silence);
+}
+
+// What the peer knows of this process is as old as if the peer had been silent. A look was due in
+// 10 ms, a tenth of the bound on hanging.
+TEST_F(HeartbeatTest, ASleepOfThisProcessIsBlamed) {
+  answers_.silentAfter = 0;
+  answers_.sleep = kBounds.silence + 3s;
+  EXPECT_EQ(whyLost({}), "silent: this process has not run for 8010 ms");
 }
 
 TEST_F(HeartbeatTest, APeerThatFallsSilentIsLost) {
