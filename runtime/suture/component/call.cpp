@@ -33,6 +33,7 @@ bool CallBase::takeBack() {
 Errc CallBase::giveUp() {
   const bool stops = !calls_->mayWait();
   if (stops && takeBack()) return Errc::Cancelled;
+  if (!stops) calls_->noteTimeout();
   close();
   return stops ? Errc::OutcomeUnknown : Errc::Timeout;
 }

@@ -5,6 +5,7 @@
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 
+#include <algorithm>
 #include <mutex>
 
 namespace suture {
@@ -128,6 +129,14 @@ void Component::callHook(Transition transition) {
     case Transition::Stop: onStop(); break;
     case Transition::Restart: onRestart(); break;
   }
+}
+
+bool Component::holdsUp(std::string_view component) const {
+  if (!ownsThread()) return false;
+  const bool called = caller_ != nullptr && Channel::componentOf(caller_->name) == component;
+  return called || std::any_of(provided_.begin(), provided_.end(), [=](const ProvidedBase* one) {
+           return one->pendingFrom(component);
+         });
 }
 
 void Component::endLife() {

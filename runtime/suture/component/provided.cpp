@@ -360,6 +360,16 @@ void ProvidedBase::advance() {
   });
 }
 
+bool ProvidedBase::pendingFrom(std::string_view component) const {
+  bool any = false;
+  channels_.forEach([&any, component](ChannelList::Node& node) {
+    const Channel& channel = *node.channel;
+    any = any ||
+          (channel.commands.pending() && Channel::componentOf(channel.clientName()) == component);
+  });
+  return any;
+}
+
 bool ProvidedBase::pending() const {
   bool any = false;
   channels_.forEach([&any, hears = hears()](ChannelList::Node& node) {

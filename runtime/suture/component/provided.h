@@ -110,6 +110,8 @@ class ProvidedBase {
   void advance();
   /// Returns true if commands are waiting.
   bool pending() const;
+  /// Returns true if commands of this component are waiting: "console:Teleop".
+  bool pendingFrom(std::string_view component) const;
   /// In the handler of a queued command: returns how old it was when the clock was last read, which
   /// is up to 64 commands ago in a long drain (docs/howto/reports.md). A suspension of the machine
   /// counts. It means nothing for a command that runs in its caller's thread.

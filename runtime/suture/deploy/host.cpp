@@ -164,8 +164,23 @@ std::vector<std::string> Host::news() {
   std::vector<std::string> lines = realTime_.news();
   for (std::string& line : std::exchange(warnings_, {})) lines.push_back(std::move(line));
   for (std::string& line : faults_->news()) lines.push_back(std::move(line));
+  for (std::string& line : mutualWaits()) lines.push_back(std::move(line));
   if (!messages_) return lines;
   for (std::string& line : messages_->heard()) lines.push_back(std::move(line));
+  return lines;
+}
+
+std::vector<std::string> Host::mutualWaits() {
+  std::vector<std::string> lines;
+  for (const auto& channel : manager_->channels()) {
+    if (channel->mutualWaits == 0 || !toldToWait_.insert(channel->name()).second) continue;
+    const std::string one(Channel::componentOf(channel->clientName()));
+    const std::string other(Channel::componentOf(channel->providerName()));
+    lines.push_back("connection '" + channel->name() + "': '" + one + "' waited for '" + other +
+                    "' until its deadline, and a command of '" + other + "' waited for '" + one +
+                    "', which ends none while it waits. Let one of the two look at its answer "
+                    "with poll() or then()");
+  }
   return lines;
 }
 

@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,7 +67,8 @@ class Host {
   /// only the components that are faulted.
   std::vector<Trouble> troubles() const;
   /// Returns what else has happened since the last call, a line each: what the machine does not
-  /// grant, restarts after faults, files of the black box, messages.
+  /// grant, restarts after faults, files of the black box, tasks that wait for each other,
+  /// messages.
   std::vector<std::string> news();
   /// Before the last news(): waits for the files of the black box.
   void endBlackBox() { faults_->end(); }
@@ -80,11 +82,13 @@ class Host {
   bool faultedForGood(const Component& component) const;
   std::vector<Trouble> componentTroubles() const;
   std::vector<Trouble> connectionTroubles() const;
+  std::vector<std::string> mutualWaits();
 
   const Deployment& deployment_;
   const ProcessEntry& process_;
   const Duration patience_;
   bool stopped_ = false;
+  std::set<std::string> toldToWait_;   // connections, each of which is told once
   std::vector<std::string> warnings_;  // what the start warned of, until news() has returned it
   RealTime realTime_{deployment_.document(), process_};  // locks what comes after it, too
   std::optional<ProcessComponents> components_;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "reference/simulated_arm.suture.h"
+#include "support/eventually.h"
 
 namespace suture::test {
 
@@ -98,6 +99,13 @@ inline std::vector<std::string> problemsOf(const Deployment& deployment) {
     return error.problems();
   }
   return {};
+}
+
+/// Waits until the host has news, or for kPatience at most.
+inline std::vector<std::string> newsOf(Host& host) {
+  std::vector<std::string> news;
+  eventually([&] { return !(news = host.news()).empty(); });
+  return news;
 }
 
 }  // namespace suture::test

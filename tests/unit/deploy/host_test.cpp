@@ -69,13 +69,6 @@ std::vector<std::string> troublesOf(const Host& host) {
   return texts;
 }
 
-/// Waits until the host has news, or for kPatience at most.
-std::vector<std::string> newsOf(Host& host) {
-  std::vector<std::string> news;
-  eventually([&] { return !(news = host.news()).empty(); });
-  return news;
-}
-
 TEST(Host, RunsAndConnectsWhatTheFileSays) {
   const Deployment deployment = deploymentOf(
       "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"

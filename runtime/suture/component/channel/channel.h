@@ -97,6 +97,10 @@ class Channel {
   std::string_view providerName() const {
     return std::string_view(name()).substr(name().rfind(kArrow) + kArrow.size());
   }
+  /// Returns the part of either name that names the component: "console:Teleop".
+  static constexpr std::string_view componentOf(std::string_view interface) {
+    return interface.substr(0, interface.rfind('/'));
+  }
   const std::string lane;
   const Ends ends;
   const std::shared_ptr<rt::StateTable> state;
@@ -118,6 +122,9 @@ class Channel {
   /// Counts how often the status has become Faulted: a provider may be restarted before anyone
   /// looks.
   std::atomic<std::uint32_t> faults{0};
+  /// Counts the calls of this client that ended at their deadline while the provider's component
+  /// had a command at the client's own component.
+  std::atomic<std::uint32_t> mutualWaits{0};
   std::atomic<std::uint64_t> bytesSent{0}, bytesReceived{0};  ///< on the lane's wire; 0 on `local`
   LastInvalid lastInvalid;  ///< the latest value that this process refused, at either end
 

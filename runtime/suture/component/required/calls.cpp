@@ -130,6 +130,14 @@ void Calls::waitFor(PendingCall& call, Duration limit) {
 
 bool Calls::mayWait() const { return attachment_.owner().mayWait(); }
 
+void Calls::noteTimeout() const {
+  Channel* const channel = attachment_.channel().get();
+  if (channel == nullptr) return;
+  if (attachment_.owner().holdsUp(Channel::componentOf(channel->providerName()))) {
+    channel->mutualWaits.fetch_add(1, std::memory_order_relaxed);
+  }
+}
+
 void Calls::follow(PendingCall& call, PendingCall::Follower follower) {
   call.follower = follower;
   ++followed_;

@@ -50,6 +50,9 @@ class Calls final : private Attachment::User {
   /// Returns when the call is done, after `limit`, or when its component may not wait any more.
   void waitFor(PendingCall& call, Duration limit);
   bool mayWait() const;
+  /// Call it when a wait has ended at its deadline. Counts it if the provider's component may have
+  /// waited for this one.
+  void noteTimeout() const;
   /// Returns true if the provider will not execute it, and answers so.
   bool cancel(PendingCall& call);
   void follow(PendingCall& call, PendingCall::Follower follower);
