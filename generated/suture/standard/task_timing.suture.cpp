@@ -125,9 +125,9 @@ constexpr char kTaskTimingDescription[] = R"json(
 "period": "1/1000000000"}}, {"name": "min", "type": {"kind": "duration", "period": "1/1000000000"}
 }, {"name": "max", "type": {"kind": "duration", "period": "1/1000000000"}}, {"name": "p99",
 "type": {"kind": "duration", "period": "1/1000000000"}}]}, {"name": "suture::TaskWindow",
-"fields": [{"name": "begin", "doc": "of the first cycle, and of the first of the next window",
+"fields": [{"name": "begin", "doc": "when its first cycle began, and the first of the next window",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "end",
-"doc": "of the first cycle, and of the first of the next window", "type": {"kind": "time",
+"doc": "when its first cycle began, and the first of the next window", "type": {"kind": "time",
 "clock": "steady"}}, {"name": "cycles", "doc": "that began within", "type": {"kind": "UInt64"},
 "default": 0}, {"name": "skipped", "doc": "periods or callbacks that passed without a cycle",
 "type": {"kind": "UInt64"}, "default": 0}, {"name": "period",

@@ -17,9 +17,9 @@ struct DurationSummary @0x855eca590f7906fe $Meta.cxx("suture::DurationSummary") 
 
 struct TaskWindow @0xaf9c44d28d818274 $Meta.cxx("suture::TaskWindow") {
   begin @0 :Int64 $Meta.clock("steady");
-  # of the first cycle, and of the first of the next window
+  # when its first cycle began, and the first of the next window
   end @1 :Int64 $Meta.clock("steady");
-  # of the first cycle, and of the first of the next window
+  # when its first cycle began, and the first of the next window
   cycles @2 :UInt64;
   # that began within
   skipped @3 :UInt64;
