@@ -46,6 +46,11 @@ class Conformance : public testing::TestWithParam<Row> {
   void stall();
   /// Returns the connection as the client's process sees it.
   std::shared_ptr<suture::Channel> channel() const { return clientManager_->channels().at(0); }
+  /// Returns what that process reports of its commands on the connection.
+  suture::HistorySums clientsSums() const {
+    return sumsOf(reportOf(*clientManager_, suture::ConnectionEnd::Client),
+                  clientManager_->incarnation());
+  }
 
   /// Names the provided interface that the client's "Arm" is connected to.
   virtual const char* provided() const { return "Arm"; }

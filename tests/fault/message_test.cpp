@@ -147,13 +147,6 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     }
     return true;
   }
-  static ConnectionReport reportOf(const Manager& manager, ConnectionEnd end) {
-    for (const ConnectionReport& one : observe(manager, now()).connections) {
-      if (one.end == end) return one;
-    }
-    ADD_FAILURE() << "there is no connection";
-    return {};
-  }
   ConnectionReport report() const { return reportOf(*clients_, ConnectionEnd::Client); }
   /// Tells if the fault has been noticed and rows have come all the same: a stall can hold up every
   /// row for as long as the test asks.

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <mutex>
@@ -64,6 +65,7 @@ class RecordingArm : public GripperArm {
   const JointState& measured_js() const override { return outgrown_ ? tooLarge_ : joints_; }
   double distance(const PoseStamped& to) const override {
     answeredBy_ = getpid();
+    ++distances_;
     return (measured_cp().pose.translation() - to.pose.translation()).norm();
   }
 
@@ -129,6 +131,17 @@ class RecordingArm : public GripperArm {
     const std::lock_guard lock(mutex_);
     history_.emplace(file);
   }
+  /// Returns how many of its commands are in no history: none but distance() is sent beside goals.
+  std::uint64_t others() const { return distances_; }
+  /// Notes what the report of its process says of the commands of client number 1.
+  void noteLedger(const suture::HistorySums& sums) {
+    const std::lock_guard lock(mutex_);
+    history_->write({.kind = suture::HistoryEntry::Kind::Served,
+                     .at = suture::now(),
+                     .client = 1,
+                     .id = goals_ + others(),
+                     .sums = sums});
+  }
 
   Gate& gate;
   std::atomic<bool> throwOnEnable{false};
@@ -158,6 +171,7 @@ class RecordingArm : public GripperArm {
   void writeHistory(const PoseStamped& goal, suture::Duration ttl) {
     const std::lock_guard lock(mutex_);
     if (!history_) return;
+    ++goals_;
     const auto& tag = goal.pose.translation();
     history_->write({.kind = suture::HistoryEntry::Kind::Executed,
                      .at = suture::now(),
@@ -171,6 +185,7 @@ class RecordingArm : public GripperArm {
   mutable std::mutex mutex_;
   std::vector<std::string> log_, clients_;
   std::optional<suture::HistoryLog> history_;
+  std::uint64_t goals_ = 0;  // in the history
   PoseStamped measured_;
   mutable suture::Time evaluated_;
   JointState joints_;
@@ -178,6 +193,7 @@ class RecordingArm : public GripperArm {
   std::atomic<bool> outgrown_{false}, garbled_{false};
   std::atomic<double> opening_{0};
   mutable std::atomic<pid_t> ranIn_{0}, answeredBy_{0};
+  mutable std::atomic<std::uint64_t> distances_{0};
 };
 
 /// Holds what a component provides: the contract, and one that derives from it.

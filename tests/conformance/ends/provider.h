@@ -14,6 +14,7 @@
 #include "conformance/ends/arm.h"
 #include "conformance/ends/fork.h"
 #include "conformance/rows.h"
+#include "fault/history/history_sums.h"
 #include "support/cable.h"
 
 namespace conformance {
@@ -76,6 +77,13 @@ class Provider {
   }
   std::string fault() const {
     return at([](ArmComponent& arm) { return arm.component().fault(); });
+  }
+  /// Lets the arm note what its process reports of its commands.
+  void noteLedger() const {
+    run([](Hosted& hosted) {
+      const auto served = reportOf(*hosted.manager, suture::ConnectionEnd::Provider);
+      hosted.arm->noteLedger(sumsOf(served, hosted.manager->incarnation()));
+    });
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <suture/observe/observe.h>
 
 #include <map>
+#include <stdexcept>
 #include <string>
 
 #include "fault/history/history.h"
@@ -22,6 +23,14 @@ inline HistorySums sumsOf(const ConnectionReport& report, std::uint64_t process)
           .heard = report.heard.commands(),
           .process = process,
           .other = report.otherIncarnation};
+}
+
+/// Returns what the manager's process reports of its only connection that has such an end here.
+inline ConnectionReport reportOf(const Manager& manager, ConnectionEnd end) {
+  for (const ConnectionReport& one : observe(manager, now()).connections) {
+    if (one.end == end) return one;
+  }
+  throw std::logic_error("there is no connection");
 }
 
 /// Returns the sums by the connection's name.
