@@ -10,16 +10,19 @@
 #include <sstream>
 #include <string>
 
+#include "explorer/seeds.h"
 #include "explorer/world.h"
 #include "paths.h"
 
 namespace explorer {
 namespace {
 
-std::uint64_t asked(const char* variable, std::uint64_t otherwise) {
+std::uint64_t asked(const char* variable, std::uint64_t otherwise, std::uint64_t least) {
   const char* const text = std::getenv(variable);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+  return text == nullptr ? otherwise : numberIn(variable, text, least);
 }
+
+Seeds seedsOfThisRun() { return {asked("SUTURE_FIRST_SEED", 1, 0), asked("SUTURE_SEEDS", 200, 1)}; }
 
 /// Runs it, tells what is broken as a line for the file of failed seeds, and shows its trace if the
 /// environment asks for that.
@@ -68,14 +71,11 @@ class BusyProcesses {
   std::vector<pid_t> processes_;
 };
 
-constexpr std::uint64_t kBlocks = 8;
-
-/// Each runs one part of the seeds.
+/// Each runs one block of the seeds.
 class Explorer : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(Explorer, FindsNothingUnderNewSeeds) {
-  const std::uint64_t count = asked("SUTURE_SEEDS", 200) / kBlocks;
-  const std::uint64_t first = asked("SUTURE_FIRST_SEED", 1) + GetParam() * count;
+  const auto [first, count] = seedsOf(GetParam(), seedsOfThisRun());
   unsigned answered = 0, harms = 0;
   std::map<std::string, std::uint64_t> lanes;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
@@ -91,7 +91,8 @@ TEST_P(Explorer, FindsNothingUnderNewSeeds) {
   std::printf(".\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(Blocks, Explorer, testing::Range(std::uint64_t{0}, kBlocks));
+INSTANTIATE_TEST_SUITE_P(Blocks, Explorer,
+                         testing::Range(std::uint64_t{0}, blocksOf(seedsOfThisRun().count)));
 
 TEST(Seeds, FailuresOfThePastAreGone) {
   for (const std::uint64_t seed : failedSeeds()) expectSound(seed);
