@@ -154,21 +154,14 @@ class World {
     }
     chance_.oneIn(8) ? caller_.burst() : caller_.ask();
     (void)caller_.processEvents();
-    if (hasOperator_ && more_.oneIn(16)) resume();
+    if (hasOperator_ && more_.oneIn(16)) caller_.resume(*console_, "Operator/Arm");
     suture::pass(1ms);
-  }
-  /// Lets commands through, if they await that.
-  void resume() {
-    try {
-      console_->resumeConnection("Operator/Arm");
-    } catch (const suture::SetupError&) {  // they await no resume, or the arm is still lost
-    }
   }
   /// The world works as soon as a call is answered.
   void recover() {
     const suture::Time deadline = suture::now() + kRecovery;
     while (suture::now() < deadline) {
-      if (hasOperator_) resume();
+      if (hasOperator_) caller_.resume(*console_, "Operator/Arm");
       const auto answer = caller_.arm.distance.start({}).within(20ms);
       if (answer) {
         ++outcome_.answered;

@@ -6,7 +6,7 @@
 #include <thread>
 #include <tuple>
 
-#include "fault/drain.h"
+#include "fault/still/drain.h"
 #include "fault/system.h"
 
 namespace suture {

@@ -148,9 +148,11 @@ class System {
                [kind](const HistoryEntry& entry) { return entry.kind == kind; });
   }
   /// A call of the latest client has been answered since then.
-  bool answered(Time since) const {
-    return has(clientsHistory(), since, [](const HistoryEntry& entry) {
-      return entry.kind == HistoryEntry::Kind::Ended && entry.error == Errc{} &&
+  bool answered(Time since) const { return callEnded(since, Errc{}); }
+  /// A call of the latest client has ended so since then.
+  bool callEnded(Time since, Errc error) const {
+    return has(clientsHistory(), since, [error](const HistoryEntry& entry) {
+      return entry.kind == HistoryEntry::Kind::Ended && entry.error == error &&
              entry.limit != Duration{0};
     });
   }

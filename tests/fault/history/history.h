@@ -39,6 +39,9 @@ struct HistoryEntry {
     Counted,    ///< the client says in the end what became of its commands: `sums`; `id`: how many
                 ///< were executed that are in no history
     Served,     ///< so does a provider; `id`: how many of them its handlers have begun
+    Awaits,   ///< the client's commands await its operator: it was told of a loss, or read what was
+              ///< stale
+    Resumed,  ///< its operator lets them through again
   };
 
   Kind kind = Kind::Sent;
@@ -91,6 +94,7 @@ struct Tolerance {
 ///    sender was told that it was not executed;
 ///  - no command begins to be executed after its sender was told that its connection is lost, and
 ///    its provider has heard of it, but for what had just been judged;
+///  - no command is let through that was sent while its client's commands awaited their operator;
 ///  - the commands of a client are executed in the order in which it sent them, so that none of an
 ///    older connection comes after one of a newer;
 ///  - as many of a client's commands were executed as its ledger says, or as may have been by it;

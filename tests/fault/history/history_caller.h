@@ -5,6 +5,7 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
 #include <suture/component/required.h>
+#include <suture/manager/manager.h>
 
 #include <algorithm>
 #include <array>
@@ -43,6 +44,25 @@ class HistoryCaller final : public Device {
     const Errc error = arm.unusable();
     follow();
     if (error == Errc::Lost) noteLoss();
+  }
+
+  /// Reads where the arm is.
+  void read() {
+    look();
+    if (arm.measured_cp().error() == Errc::Stale) noteAwaiting();
+  }
+
+  /// Does as its operator does who lets its commands through again, if they await that and its
+  /// provider is there. It is connected as `name`.
+  void resume(Manager& manager, const char* name) {
+    look();
+    try {
+      manager.resumeConnection(name);
+    } catch (const SetupError&) {
+      return;
+    }
+    awaits_ = false;
+    note({.kind = HistoryEntry::Kind::Resumed, .epoch = epoch_});
   }
 
   /// Sends a command and waits for a call, one after the other.
@@ -146,12 +166,19 @@ class HistoryCaller final : public Device {
   void noteLoss() {
     if (std::exchange(lost_, epoch_) == epoch_) return;
     note({.kind = HistoryEntry::Kind::Told, .epoch = epoch_, .error = Errc::Lost});
+    noteAwaiting();
+  }
+  void noteAwaiting() {
+    if (known_->terms.watch->contract.resume != Resume::Operator || awaits_) return;
+    awaits_ = true;
+    note({.kind = HistoryEntry::Kind::Awaits, .epoch = epoch_});
   }
 
   HistoryLog log_;
   const std::uint32_t number_;
   std::uint64_t id_ = 0, epoch_ = 0;
   std::uint64_t lost_ = 0;  // it has been told of so many on this connection
+  bool awaits_ = false;     // the connection waits for its operator
   std::shared_ptr<Channel> known_;
 };
 

@@ -46,6 +46,8 @@ class Checker {
       case Kind::Connected: break;
       case Kind::Counted: counted_[entry.client] = entry; break;
       case Kind::Served: served_[{entry.client, entry.sums.process}] = entry; break;
+      case Kind::Awaits: awaits_[entry.client] = true; break;
+      case Kind::Resumed: awaits_[entry.client] = false; break;
       case Kind::Told: told_.try_emplace({entry.client, entry.epoch}, entry.at); break;
     }
   }
@@ -55,6 +57,9 @@ class Checker {
       if (command.executions > 0 && command.isEnded && saysNotExecuted(command.error)) {
         say(which,
             "was executed, and its sender was told: " + std::string(toString(command.error)));
+      }
+      if (command.awaitsOperator && command.isEnded && !saysNotExecuted(command.error)) {
+        say(which, "was let through while its operator was awaited");
       }
       requireEnd(which, command);
       forbidExecutionAfterLoss(which, command);
@@ -69,6 +74,7 @@ class Checker {
   struct Command {
     HistoryEntry sent;
     bool isEnded = false;
+    bool awaitsOperator = false;  // its client did when it was sent
     Errc error{};
     int executions = 0;
     Time lastExecuted{};
@@ -141,6 +147,7 @@ class Checker {
   void sent(const HistoryEntry& entry) {
     Command& command = commands_[key(entry)];
     command.sent = entry;
+    command.awaitsOperator = awaits_[entry.client];
     command.epoch = entry.epoch;
   }
 
@@ -199,6 +206,7 @@ class Checker {
   // This is the last word of providers, by client and incarnation.
   std::map<std::pair<std::uint32_t, std::uint64_t>, HistoryEntry> served_;
   std::map<std::uint32_t, Time> killed_;
+  std::map<std::uint32_t, bool> awaits_;                              // by client
   std::map<std::pair<std::uint32_t, std::uint64_t>, Time> told_;      // by client and connection
   std::map<std::pair<std::uint32_t, std::uint64_t>, int> afterLoss_;  // commands, likewise
   std::vector<std::string> found_;

@@ -234,6 +234,26 @@ TEST(HistoryChecker, ACommandThatWasToldNotExecuted) {
   expectNone(history);
 }
 
+TEST(HistoryChecker, ACommandThatAwaitedItsOperator) {
+  History history = sound();
+  const HistoryEntry sent = nth(history, Kind::Sent, 40);
+  HistoryEntry awaits{Kind::Awaits, sent.at - 1ms, sent.client, 0, sent.epoch};
+  HistoryEntry resumed{Kind::Resumed, sent.at + 1ms, sent.client, 0, sent.epoch};
+  history.insert(history.end(), {awaits, resumed});
+  sortByTime(history);
+  expectOne(history, "command " + std::to_string(sent.id) + " of client " +
+                         std::to_string(sent.client) +
+                         " was let through while its operator was awaited");
+  std::erase_if(history, [&](const HistoryEntry& one) {
+    return one.kind == Kind::Executed && one.client == sent.client && one.id == sent.id;
+  });
+  for (HistoryEntry& one : history) {
+    const bool isIts = one.client == sent.client && one.id == sent.id;
+    if (isIts && one.kind == Kind::Ended) one.error = Errc::AwaitingOperator;
+  }
+  expectNone(history);
+}
+
 TEST(HistoryChecker, ACommandThatWasNotSent) {
   History history = sound();
   history.push_back({Kind::Executed, history.back().at, 1, 1000, 9});
