@@ -22,6 +22,7 @@
 #include "support/eventually.h"
 #include "support/stepped.h"
 #include "support/temporary_directory.h"
+#include "unit/manager/way.h"
 
 namespace suture {
 namespace {
@@ -100,7 +101,7 @@ enum class Frozen {
   ClientsNetwork
 };
 
-class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, bool>> {
+class FrozenProcess : public testing::TestWithParam<std::tuple<Way, Frozen, bool>> {
  protected:
   FrozenProcess() {
     // A task that goes on comes to what waits behind the first command when the loss is told.
@@ -123,14 +124,14 @@ class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, boo
     robot_->stop();
   }
 
-  Lane lane() const { return std::get<Lane>(GetParam()); }
+  Way way() const { return std::get<Way>(GetParam()); }
   Frozen frozen() const { return std::get<Frozen>(GetParam()); }
   bool inADrain() const { return std::get<bool>(GetParam()); }
 
   void connect(Resume resume = Resume::Automatic) {
     client_.run([&] {
       console_->connect("Teleop/Slave", "robot:PSM/Arm",
-                        {.lane = lane(), .contract = {.resume = resume, .silence = kSilence}});
+                        way().options({.resume = resume, .silence = kSilence}));
     });
     ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
   }
@@ -187,17 +188,16 @@ class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, boo
   std::unique_ptr<Manager> robot_, console_;
 };
 
-std::string nameOf(const testing::TestParamInfo<std::tuple<Lane, Frozen, bool>>& info) {
+std::string nameOf(const testing::TestParamInfo<std::tuple<Way, Frozen, bool>>& info) {
   const char* const who[] = {"Provider",       "Client",           "BothThenProvider",
                              "BothThenClient", "ProvidersNetwork", "ClientsNetwork"};
   return std::string(who[static_cast<int>(std::get<Frozen>(info.param))]) +
-         (std::get<bool>(info.param) ? "InADrain" : "") + "_" +
-         toString(std::get<Lane>(info.param));
+         (std::get<bool>(info.param) ? "InADrain" : "") + "_" + std::get<Way>(info.param).name();
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Lanes, FrozenProcess,
-    testing::Combine(testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc),
+    testing::Combine(testing::ValuesIn(waysBetweenProcesses()),
                      testing::Values(Frozen::Provider, Frozen::Client, Frozen::BothThenProvider,
                                      Frozen::BothThenClient, Frozen::ProvidersNetwork,
                                      Frozen::ClientsNetwork),
@@ -208,8 +208,8 @@ TEST_P(FrozenProcess, ExecutesNothingOfALostConnection) {
   connect();
   for (int round = 0; round < 5; ++round) {
     ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
-    EXPECT_EQ(console_->channels().at(0)->lane, toString(lane()));
-    pass(20ms);
+    EXPECT_EQ(console_->channels().at(0)->lane, way().laneName());
+    pass(50ms + round * 3ms);  // what is delayed is at another place in each round
     arm_.slow = inADrain();
     ASSERT_TRUE(eventually([this] { return arm_.inHandler == inADrain(); }));
     freeze();
@@ -232,11 +232,12 @@ TEST_P(FrozenProcess, LearnsWhatBecameOfEachCommand) {
     pass(20ms);
     arm_.slow = inADrain();
     ASSERT_TRUE(eventually([this] { return arm_.inHandler == inADrain(); }));
+    ASSERT_TRUE(eventually([this] { return ledger(*console_).underWay > 0; }));
     freeze();
     pass(2 * kSilence);
     const ConnectionReport sums = ledger(*console_);
     // Memory that both share tells even a client that is frozen.
-    if (lane() != Lane::Shm) {
+    if (way().lane != Lane::Shm) {
       EXPECT_GT(sums.unknown + sums.underWay, 0u);
     }
     thaw();

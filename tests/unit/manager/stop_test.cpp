@@ -15,7 +15,6 @@
 #include <functional>
 #include <future>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -27,6 +26,7 @@
 #include "support/refusal.h"
 #include "support/temporary_directory.h"
 #include "unit/manager/two_processes.h"
+#include "unit/manager/way.h"
 
 namespace suture {
 namespace {
@@ -79,19 +79,18 @@ void stopIn(LongHandler& handler, Task& task) {
   stopping.join();
 }
 
-/// If no lane is given, provider and client are in one process.
-class Stop : public testing::TestWithParam<std::optional<Lane>> {
+class Stop : public testing::TestWithParam<Way> {
  protected:
   Stop() {
     robot_.add("PSM", arm_);
     clients().add("Teleop", client_);
     robot_.start();
-    if (GetParam()) console_.start();
-    clients().connect("Teleop/Slave", GetParam() ? "robot:PSM/Arm" : "PSM/Arm",
-                      {.lane = GetParam().value_or(Lane::Auto)});
+    if (GetParam().lane) console_.start();
+    clients().connect("Teleop/Slave", GetParam().lane ? "robot:PSM/Arm" : "PSM/Arm",
+                      GetParam().options());
   }
 
-  Manager& clients() { return GetParam() ? console_ : robot_; }
+  Manager& clients() { return GetParam().lane ? console_ : robot_; }
 
   const TemporaryDirectory directory_;
   loop::ControlThread control_;
@@ -101,18 +100,14 @@ class Stop : public testing::TestWithParam<std::optional<Lane>> {
   Manager robot_{"robot", names_.address()}, console_{"console", names_.address()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Stop,
-                         testing::Values(std::nullopt, Lane::Shm, Lane::Frame, Lane::Rpc),
-                         [](const auto& row) {
-                           return std::string(row.param ? toString(*row.param) : "local");
-                         });
+INSTANTIATE_TEST_SUITE_P(Lanes, Stop, testing::ValuesIn(allWays()), nameOfWay);
 
 TEST_P(Stop, EndsAfterTheCommandThatRuns) {
   ASSERT_TRUE(client_.slave.limit(0, reference::Mode::Enabled));
   ASSERT_TRUE(eventually([&] { return arm_.handler.begun.load(); }));
   auto answered = client_.slave.reset.start();
   ASSERT_TRUE(client_.slave.hold());
-  const std::shared_ptr<Channel> channel = robot_.channels().at(0);
+  const std::shared_ptr<Channel> channel = providersChannel(robot_);
   ASSERT_TRUE(eventually([&] { return channel->commands.pending(); }));
   stopIn(arm_.handler, arm_);
   EXPECT_EQ(arm_.holds, 0);
@@ -137,14 +132,14 @@ struct OccupiedDevice final : Device, StillArm {
 
 /// A device does not wait for its handler when it stops. Its caller must not be told that nothing
 /// was executed.
-class StopOfADevice : public testing::TestWithParam<Lane> {
+class StopOfADevice : public testing::TestWithParam<Way> {
  protected:
   StopOfADevice() {
     robot_.add("PSM", arm_);
     console_.add("Teleop", client_);
     robot_.start();
     console_.start();
-    console_.connect("Teleop/Slave", "robot:PSM/Arm", {.lane = GetParam()});
+    console_.connect("Teleop/Slave", "robot:PSM/Arm", GetParam().options());
   }
 
   const TemporaryDirectory directory_;
@@ -155,8 +150,8 @@ class StopOfADevice : public testing::TestWithParam<Lane> {
   Manager robot_{"robot", names_.address()}, console_{"console", names_.address()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Lanes, StopOfADevice, testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc),
-                         [](const auto& row) { return std::string(toString(row.param)); });
+INSTANTIATE_TEST_SUITE_P(Lanes, StopOfADevice, testing::ValuesIn(waysBetweenProcesses()),
+                         nameOfWay);
 
 TEST_P(StopOfADevice, ARunningCallsOutcomeStaysOpen) {
   auto answered = client_.slave.reset.start();

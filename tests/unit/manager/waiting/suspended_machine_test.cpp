@@ -36,11 +36,9 @@ class SuspendedMachine : public WaitingCommands {
 
 class SuspendedRemotely : public SuspendedMachine {};
 
-INSTANTIATE_TEST_SUITE_P(Lanes, SuspendedMachine,
-                         testing::Values(std::nullopt, Lane::Shm, Lane::Frame, Lane::Rpc),
-                         nameOfLane);
-INSTANTIATE_TEST_SUITE_P(Lanes, SuspendedRemotely,
-                         testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc), nameOfLane);
+INSTANTIATE_TEST_SUITE_P(Lanes, SuspendedMachine, testing::ValuesIn(allWays()), nameOfWay);
+INSTANTIATE_TEST_SUITE_P(Lanes, SuspendedRemotely, testing::ValuesIn(waysBetweenProcesses()),
+                         nameOfWay);
 
 TEST_P(SuspendedMachine, MakesWaitingCommandsTooOld) {
   SlowArm arm([] {});

@@ -13,9 +13,7 @@ using namespace std::chrono_literals;
 
 class Ttl : public WaitingCommands {};
 
-INSTANTIATE_TEST_SUITE_P(Lanes, Ttl,
-                         testing::Values(std::nullopt, Lane::Shm, Lane::Frame, Lane::Rpc),
-                         nameOfLane);
+INSTANTIATE_TEST_SUITE_P(Lanes, Ttl, testing::ValuesIn(allWays()), nameOfWay);
 
 TEST_P(Ttl, RunsOutBehindALongHandler) {
   SlowArm arm([] { pass(kTtl + 1ms); });

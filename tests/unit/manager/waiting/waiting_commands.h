@@ -11,13 +11,13 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "reference/still_arm.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
+#include "unit/manager/way.h"
 
 namespace suture {
 
@@ -61,16 +61,11 @@ struct SendingClient final : PeriodicTask {
   Required<reference::ArmLike> slave{*this, "Slave"};
 };
 
-inline std::string nameOfLane(const testing::TestParamInfo<std::optional<Lane>>& row) {
-  return row.param ? std::string(toString(*row.param)) : "local";
-}
-
-/// If no lane is given, provider and client are in one process.
-class WaitingCommands : public testing::TestWithParam<std::optional<Lane>> {
+class WaitingCommands : public testing::TestWithParam<Way> {
  protected:
   /// Sends, and returns when `done` says so. Notes what became of the commands.
   void send(SlowArm& arm, const std::function<bool()>& done, ConnectionContract contract = {}) {
-    const bool local = !GetParam();
+    const bool local = !GetParam().lane;
     const auto robot = std::make_unique<Manager>("robot", names_.address());
     const auto console = local ? nullptr : std::make_unique<Manager>("console", names_.address());
     Manager& clients = local ? *robot : *console;
@@ -79,11 +74,10 @@ class WaitingCommands : public testing::TestWithParam<std::optional<Lane>> {
     robot->start();
     if (!local) console->start();
     clients.connect("Teleop/Slave", local ? "PSM/Arm" : "robot:PSM/Arm",
-                    {.lane = GetParam().value_or(Lane::Auto), .contract = contract});
+                    GetParam().options(contract));
     std::shared_ptr<Channel> channel;
     EXPECT_TRUE(eventually([&] {
-      const auto channels = robot->channels();
-      if (!channels.empty() && channel == nullptr) channel = channels[0];
+      if (channel == nullptr) channel = providersChannel(*robot);
       return channel != nullptr && done();
     }));
     late_ = channel->commands.counters.late;
