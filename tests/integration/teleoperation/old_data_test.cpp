@@ -127,6 +127,11 @@ TEST_F(OldData, ATeleoperationThatWasSuspendedBeginsAnew) {
   scene_.expectNoJump([&] { manager_.resume("Teleop"); });
 }
 
+// The arms have been elsewhere meanwhile, and no stamp tells how long that was.
+TEST_F(OldData, AMachineThatSleptMovesNoSlave) {
+  scene_.expectNoJump([] { suture::clockOfTest().suspend(1h); });
+}
+
 /// The process of the teleoperation stands still, but not for so long that a link is lost. Both
 /// arms are elsewhere.
 class FrozenTeleoperation : public testing::TestWithParam<suture::Lane> {

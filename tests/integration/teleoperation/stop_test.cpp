@@ -96,6 +96,12 @@ class Stop : public testing::TestWithParam<suture::Lane> {
   bool slaves(DrivePower power) {
     return powerOf(leftSlave_) == power && powerOf(rightSlave_) == power;
   }
+  void expectStoppedUntilReleased() {
+    EXPECT_TRUE(all(DrivePower::Stopped));
+    EXPECT_TRUE(panel_.button.release(coordinator_.permit().press));
+    pass(50ms);
+    EXPECT_TRUE(all(DrivePower::Off)) << "an operator has decided it";
+  }
   bool allAre(ArmState state) {
     return stateOf(leftMaster_) == state && stateOf(rightMaster_) == state &&
            stateOf(leftSlave_) == state && stateOf(rightSlave_) == state;
@@ -195,6 +201,26 @@ TEST_P(Stop, StopsDrivesWhoseArmHangs) {
   EXPECT_TRUE(stands(leftSlave_));
 }
 
+// The steady clock stood still with the machine, so all that is known looks as new as before.
+TEST_P(Stop, StopsDrivesOfAMachineThatSlept) {
+  beginMoving();
+  const std::uint64_t before = coordinator_.permit().press;
+  suture::clockOfTest().suspend(200ms);
+  pass(2ms);
+  EXPECT_TRUE(slaves(DrivePower::Off)) << "they stopped, and may have power again";
+  EXPECT_TRUE(stands(leftSlave_) && stands(rightSlave_));
+  EXPECT_EQ(coordinator_.permit().press, before) << "no press can have been lost";
+}
+
+TEST_P(Stop, IsPressedAfterALongSleep) {
+  beginMoving();
+  suture::clockOfTest().suspend(1h);
+  pass(50ms);
+  EXPECT_FALSE(coordinator_.permit().granted);
+  pass(2s);
+  expectStoppedUntilReleased();
+}
+
 /// Without the second button nobody releases the stop.
 class TwoButtons : public Stop {
  protected:
@@ -238,15 +264,7 @@ TEST_P(TwoButtons, ALostButtonPressesIt) {
 }
 
 /// Runs only where the arms and the coordinator are in different processes.
-class StopAcross : public Stop {
- protected:
-  void expectStoppedUntilReleased() {
-    EXPECT_TRUE(all(DrivePower::Stopped));
-    EXPECT_TRUE(panel_.button.release(coordinator_.permit().press));
-    pass(50ms);
-    EXPECT_TRUE(all(DrivePower::Off)) << "an operator has decided it";
-  }
-};
+class StopAcross : public Stop {};
 INSTANTIATE_TEST_SUITE_P(Lanes, StopAcross,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
