@@ -169,7 +169,9 @@ class HistoryCaller final : public Device {
     noteAwaiting();
   }
   void noteAwaiting() {
-    if (known_->terms.watch->contract.resume != Resume::Operator || awaits_) return;
+    const ConnectionWatch* const watch = known_->terms.watch.get();  // none without a contract
+    const bool hasOperator = watch != nullptr && watch->contract.resume == Resume::Operator;
+    if (!hasOperator || awaits_) return;
     awaits_ = true;
     note({.kind = HistoryEntry::Kind::Awaits, .epoch = epoch_});
   }
