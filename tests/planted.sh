@@ -2,7 +2,7 @@
 # Plants one fault after another in a copy of the tree, and requires a test program of the fast tier to find each: it passes
 # without the fault and fails with it. Tests of the tree itself do not count, since they also find that a text is another.
 #   tests/planted.sh [FAULT...]      lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence
-#                                    endless_lease forgotten_cut
+#                                    endless_lease forgotten_cut unrung_lane
 #   tests/planted.sh --plant-only    builds nothing: tells whether each fault can still be planted
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -18,6 +18,7 @@ finder() {
     silent_heartbeat) echo session_test ;;
     endless_lease | forgotten_cut) echo manager_test ;;
     missing_fence) echo model_test ;;
+    unrung_lane) echo testing_test ;;
     *) echo "there is no planted fault '$1'" >&2; exit 2 ;;
   esac
 }
@@ -45,6 +46,9 @@ plant() {
     forgotten_cut) replace runtime/suture/lane/client_end.cpp \
       '  channel_->client.cut();
 ' '' ;;
+    unrung_lane) replace runtime/suture/component/provided.cpp \
+      '  // the client also learns of what has been taken
+      owner_.ringLater(*channel_.ends.client);' '' ;;
     *) echo "there is no planted fault '$1'" >&2; exit 2 ;;
   esac
 }
@@ -60,7 +64,7 @@ open(path, "w", encoding="utf-8").write(text.replace(old, new))
 PYTHON
 }
 
-all=(lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence endless_lease forgotten_cut)
+all=(lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence endless_lease forgotten_cut unrung_lane)
 
 if [ "${1:-}" = --plant-only ]; then
   tree=$(mktemp -d)

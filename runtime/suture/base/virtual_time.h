@@ -70,8 +70,8 @@ class VirtualTime {
   virtual void owe(Place place) = 0;
   /// Notes that it has woken all whom it owed that.
   virtual void settle() = 0;
-  /// Notes that the calling thread, `name`, found work when it woke at a deadline that exists only
-  /// in case a ring is lost.
+  /// Notes that the calling thread, `name`, found work for which nobody had rung when it woke for
+  /// another reason: at a deadline that exists only for this, by a timer, or by a socket.
   virtual void missedRing(const std::string& name) = 0;
 
  protected:

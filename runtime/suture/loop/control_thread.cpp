@@ -34,9 +34,20 @@ void ControlThread::Loop::runUntilStopped() {
 }
 
 void ControlThread::Loop::takeWork() {
-  if (owner.doorbell().takeRing() == rt::RungFor::Nothing) return;
+  if (owner.doorbell().takeRing() == rt::RungFor::Nothing) return requireRing();
   owner.runPosted();
   owner.runPumps();
+}
+
+// On a stepped clock: what waits here when a timer or a socket wakes this thread, nobody has rung
+// for.
+void ControlThread::Loop::requireRing() {
+  VirtualTime* const time = virtualTime();
+  if (time == nullptr || !isIdle()) return;
+  const bool posted = owner.anyPosted_.load(std::memory_order_acquire);
+  owner.runPosted();
+  owner.runPumps();
+  if (posted || !isIdle()) time->missedRing("control");
 }
 
 void ControlThread::Loop::report(const kj::Exception& exception) {

@@ -86,6 +86,7 @@ class ControlThread {
     void report(const kj::Exception& exception);
 
     void takeWork() override;
+    void requireRing();
     void taskFailed(kj::Exception&& exception) override { report(exception); }
 
     ControlThread& owner;

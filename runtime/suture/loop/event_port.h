@@ -61,6 +61,8 @@ class EventPort : public kj::UnixEventPort, private VirtualTime::Sockets {
  protected:
   /// Makes events of what other threads have handed over.
   virtual void takeWork() {}
+  /// Returns true if nothing is to run or to be sent.
+  bool isIdle() { return !loop_.isRunnable() && outputs_.empty(); }
 
  private:
   bool bringWork();

@@ -141,9 +141,8 @@ void Scheduler::missedRing(const std::string& name) {
       if (std::find(owes.begin(), owes.end(), current->home) != owes.end()) return;
     }
   }
-  report(
-      "work waited for '" + name +
-      "', which nobody had rung: it was found at a deadline that is there in case a ring is lost");
+  report("work waited for '" + name +
+         "', which nobody had rung: it was found when something else woke that thread");
 }
 
 void Scheduler::spend(Duration duration) {

@@ -37,9 +37,9 @@ struct TestClockOptions {
   /// How long the process may run in real time while none of its threads sleeps or is woken,
   /// before they are named on standard error.
   std::chrono::nanoseconds patience = std::chrono::seconds(10);
-  /// The clock calls this when something happens that must not: a thread found work at a deadline
-  /// that exists only in case a ring is lost, or nothing can happen any more. May be called in any
-  /// thread. Without it, the program is aborted.
+  /// The clock calls this when something happens that must not: a thread found work for which
+  /// nobody had rung, or nothing can happen any more. May be called in any thread. Without it, the
+  /// program is aborted.
   std::function<void(const std::string&)> problem = nullptr;
 };
 

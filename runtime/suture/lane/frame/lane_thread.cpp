@@ -63,13 +63,24 @@ void LaneThread::loop() {
   rt::askForSlice(rt::kServiceSlice);
   // Take a ring before looking for a stop: the ring of a later stop() then ends the sleep.
   for (;;) {
-    bell_->doorbell.takeRing();
+    const bool rung = bell_->doorbell.takeRing() != rt::RungFor::Nothing;
     if (stopping_) break;
+    if (!rung) requireRing();
     takeOver();
     turnAll();
     sleep();
   }
   for (const Carried& one : carried_) one.link->end();
+}
+
+// On a stepped clock this thread also looks by itself from time to time. What then waits for it, or
+// when something has arrived, nobody has rung for.
+void LaneThread::requireRing() {
+  VirtualTime* const time = virtualTime();
+  if (time == nullptr) return;
+  for (const Carried& one : carried_) {
+    if (!one.full && one.link->gives()) return time->missedRing("lane");
+  }
 }
 
 void LaneThread::takeOver() {
@@ -116,7 +127,8 @@ bool LaneThread::isDone(const Carried& carried) {
 
 void LaneThread::sleep() {
   if (virtualTime() != nullptr) {
-    bell_->doorbell.sleepAt(*this, Time::max());
+    const Time due = carried_.empty() ? Time::max() : now() + rt::Doorbell::kLookAgain;
+    bell_->doorbell.sleepAt(*this, due);
     takeArrivals(0);
     return;
   }

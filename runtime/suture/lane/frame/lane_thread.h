@@ -46,6 +46,7 @@ class LaneThread : private VirtualTime::Sockets {
 
   static std::shared_ptr<Bell> makeBell();
   void loop();
+  void requireRing();
   void takeOver();
   void watch(const Carried& carried, int operation);
   void turnAll();

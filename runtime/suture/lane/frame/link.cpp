@@ -54,6 +54,11 @@ void Link::turn() {
   });
 }
 
+bool Link::gives() {
+  unsent_ = send();
+  return socket_.isFull();
+}
+
 // A connection joins before its peer sends, so it is here at the latest after a receipt. The number
 // of fills is bounded, so that a peer that sends without end leaves the others their turns.
 void Link::receive() {

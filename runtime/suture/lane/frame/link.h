@@ -43,6 +43,9 @@ class Link {
   void arrived() { socket_.arrived(); }
   /// Takes what has come from either side of each connection, and gives it to the other.
   void turn();
+  /// Does so in one direction, before it looks at what has arrived; not while isFull(). Returns
+  /// true if a connection has something to send.
+  bool gives();
   /// Returns true if more has arrived than one turn takes, or must be sent than one sends, which
   /// the socket does not tell again.
   bool hasMore() const {
