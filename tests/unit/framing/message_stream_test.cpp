@@ -1,83 +1,31 @@
-// The stream under test holds one end of a socket pair; the test plays the peer on the other.
+// A stream reads whole messages, and ends in time with the reason if its peer sends something else.
 
 #include <gtest/gtest.h>
-#include <suture/base/sanitizers.h>
-#include <suture/base/time.h>
 #include <suture/framing/message_stream.h>
-#include <suture/framing/preamble.h>
-#include <suture/loop/failure.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "support/contains.h"
-#include "support/no_more_descriptors.h"
-#include "support/patience.h"
-#include "support/refusal.h"
+#include "stream_and_peer.h"
 #include "support/resources.h"
-#include "support/socket_pair.h"
 #include "support/test_thread.h"
 
 namespace suture::framing {
 namespace {
 
-constexpr const char* kSilent =
-    "see what the process at the other end says and does: it holds the connection open, and has "
-    "sent nothing for seconds. It hangs, has been stopped, or has no file descriptor left";
-constexpr const char* kUnfinished =
-    "see what the process at the other end says and does: it began a message, and has not finished "
-    "it for seconds. It hangs, has been stopped, or the network between the two is cut";
-
-class MessageStreamTest : public testing::Test {
- public:
-  ~MessageStreamTest() noexcept override {}
-
+class MessageStreamTest : public StreamAndPeer {
  protected:
-  void open(StreamLimits limits = {}, StrangerGuard guard = {}) {
-    auto pair = makeSocketPair();
-    peer_ = kj::mv(pair.theirs);
-    stream_ = kj::heap<MessageStream>(port_, kj::mv(pair.ours), limits,
-                                      std::span<const std::byte>(), std::move(guard));
-  }
-
   /// The peer is bounded to so many bytes of unfinished messages.
   void openBounded(std::size_t bytes) {
     budget_ = std::make_shared<PeerBudget>(PeerBudget::Limits{.peer = bytes, .process = bytes});
     open({}, {.known = nullptr, .share = std::make_unique<PeerBudget::Share>(budget_, "the peer")});
   }
 
-  auto read() { return stream_->read(); }
-
-  /// Returns the size of the blob in the next message, or -1 at the end of the stream.
-  std::int64_t nextBlob() {
-    auto message = bounded(read()).wait(port_.scope());
-    KJ_IF_MAYBE (reader, message) {
-      return static_cast<std::int64_t>((*reader)->getBody().getAs<capnp::Data>().size());
-    }
-    return -1;
-  }
-
-  /// Returns the text of the exception that the next read ends with.
-  std::string nextFault() {
-    try {
-      auto message = bounded(read()).wait(port_.scope());
-      return message == nullptr ? "end of stream" : "a message";
-    } catch (const kj::Exception& e) {
-      EXPECT_EQ(e.getType(), kj::Exception::Type::DISCONNECTED);
-      return loop::describe(e);
-    }
-  }
-
-  template <class T>
-  kj::Promise<T> bounded(kj::Promise<T> promise) {
-    return port_.getTimer().timeoutAfter(10 * kj::SECONDS, kj::mv(promise));
-  }
-
-  loop::EventPort port_;
-  kj::AutoCloseFd peer_;
   std::shared_ptr<PeerBudget> budget_;
-  kj::Own<MessageStream> stream_;
 };
 
 TEST_F(MessageStreamTest, RefusesDescriptorsThatNoMessageBrings) {
@@ -89,25 +37,6 @@ TEST_F(MessageStreamTest, RefusesDescriptorsThatNoMessageBrings) {
     ASSERT_EQ(net::sendWith(peer_, std::span(frame).subspan(i, 1), one), 1);
   }
   EXPECT_EQ(nextFault(), "the peer sends more descriptors than messages");
-}
-
-TEST(Preamble, APeerThatIsGoneTakesNone) {
-  loop::EventPort port;
-  auto pair = makeSocketPair();
-  pair.theirs = nullptr;
-  const std::string error = refusal(
-      [&] { exchangeToken(port, net::ByteStream(kj::mv(pair.ours)), Token{}).wait(port.scope()); });
-  EXPECT_TRUE(contains(error, "the second connection takes nothing")) << error;
-}
-
-TEST(Preamble, ASilentPeerIsToldAsOne) {
-  loop::EventPort port;
-  auto pair = makeSocketPair();
-  const std::string error = refusal([&] {
-    readPreamble(port, net::ByteStream(kj::mv(pair.ours)), {.firstMilliseconds = 20})
-        .wait(port.scope());
-  });
-  EXPECT_TRUE(contains(error, kSilent)) << error;
 }
 
 TEST_F(MessageStreamTest, RefusesTheAdvisoryFrame) {
@@ -304,152 +233,11 @@ TEST_F(MessageStreamTest, AWholeMessageCountsNoMore) {
   EXPECT_FALSE(ofAnotherLink.hold(90'000));
 }
 
-TEST_F(MessageStreamTest, MessagesOfOneTurnLeaveTogether) {
-  open();
-  capnp::MallocMessageBuilder message;
-  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
-  for (int i = 0; i < 3; ++i) stream_->write(message.getSegmentsForOutput());
-  port_.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port_.scope());
-  std::byte bytes[1024];
-  const auto frame = blobFrame(16).size();
-  EXPECT_EQ(recv(peer_, bytes, sizeof(bytes), 0), static_cast<ssize_t>(3 * frame));
-  EXPECT_EQ(stream_->counters()->sentBytes, 3 * frame);
-}
-
-TEST_F(MessageStreamTest, ADelayableMessageLeavesSoon) {
-  open();
-  capnp::MallocMessageBuilder waits, doesNot;
-  waits.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(8);
-  doesNot.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
-  const auto arrived = [this] {
-    std::byte bytes[1024];
-    return recv(peer_, bytes, sizeof(bytes), 0);
-  };
-  const auto pass = [this](int milliseconds) {
-    port_.getTimer().afterDelay(milliseconds * kj::MILLISECONDS).wait(port_.scope());
-  };
-  stream_->write(waits.getSegmentsForOutput(), MessageStream::Leaves::WithNextMessage);
-  kj::evalLast([] {}).wait(port_.scope());
-  EXPECT_EQ(arrived(), -1);
-  stream_->write(doesNot.getSegmentsForOutput());
-  kj::evalLast([] {}).wait(port_.scope());
-  pass(0);
-  EXPECT_EQ(arrived(), static_cast<ssize_t>(blobFrame(8).size() + blobFrame(16).size()));
-  stream_->write(waits.getSegmentsForOutput(), MessageStream::Leaves::WithNextMessage);
-  kj::evalLast([] {}).wait(port_.scope());
-  ssize_t alone = -1;
-  for (const Time deadline = now() + kPatience; alone == -1 && now() < deadline;) {
-    pass(1);
-    alone = arrived();
-  }
-  EXPECT_EQ(alone, static_cast<ssize_t>(blobFrame(8).size()));
-}
-
 TEST_F(MessageStreamTest, CountsReceivedBytes) {
   open();
   sendAll(peer_, blobFrame(100));
   EXPECT_EQ(nextBlob(), 100);
   EXPECT_EQ(stream_->counters()->receivedBytes, blobFrame(100).size());
-}
-
-TEST_F(MessageStreamTest, AnEarlyCloseEndsBothDirections) {
-  open();
-  capnp::MallocMessageBuilder message;
-  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(2 << 20);
-  stream_->write(message.getSegmentsForOutput());
-  auto ending = stream_->end();
-  EXPECT_FALSE(ending.poll(port_.scope()));
-  peer_ = nullptr;
-  EXPECT_THROW(bounded(kj::mv(ending)).wait(port_.scope()), kj::Exception);
-  stream_->write(message.getSegmentsForOutput());
-  EXPECT_THROW(stream_->end().wait(port_.scope()), kj::Exception);
-  EXPECT_NE(nextFault(), "a message");
-}
-
-TEST_F(MessageStreamTest, AStuckPeersCostIsBounded) {
-  open({.unsentBytes = 3u << 20});
-  auto reading = bounded(read());
-  capnp::MallocMessageBuilder message;
-  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(1 << 20);
-  for (int i = 0; i < 3; ++i) stream_->write(message.getSegmentsForOutput());
-  EXPECT_FALSE(reading.poll(port_.scope()));  // the third fits beside what the socket has taken
-  for (int i = 0; i < 2; ++i) stream_->write(message.getSegmentsForOutput());
-  EXPECT_TRUE(reading.wait(port_.scope()) == nullptr);
-  try {
-    stream_->end().wait(port_.scope());
-    FAIL() << "no failure";
-  } catch (const kj::Exception& e) {
-    EXPECT_EQ(loop::describe(e), "the peer does not take what is sent");
-  }
-}
-
-TEST_F(MessageStreamTest, AStuckStrangersCostIsBounded) {
-  capnp::MallocMessageBuilder message;
-  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(15 << 10);
-  for (const bool becomesKnown : {false, true}) {
-    const auto known = std::make_shared<bool>(false);
-    open({}, {.known = known, .share = nullptr});
-    auto reading = bounded(read());
-    stream_->write(message.getSegmentsForOutput());
-    EXPECT_FALSE(reading.poll(port_.scope()));
-    *known = becomesKnown;
-    for (int i = 0; i < 2; ++i) stream_->write(message.getSegmentsForOutput());
-    EXPECT_EQ(reading.poll(port_.scope()), !becomesKnown);
-  }
-}
-
-// A peer that says it is done keeps its link open until all is sent, so it could keep it for ever.
-TEST_F(MessageStreamTest, AStuckPeerDelaysNoEnd) {
-  open({.drainMilliseconds = 20});
-  capnp::MallocMessageBuilder message;
-  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(2 << 20);
-  stream_->write(message.getSegmentsForOutput());
-  try {
-    bounded(stream_->end()).wait(port_.scope());
-    FAIL() << "no failure";
-  } catch (const kj::Exception& e) {
-    EXPECT_EQ(loop::describe(e), "the peer does not take what is sent");
-  }
-}
-
-// The stream needs a descriptor to learn when a full socket takes bytes again.
-TEST_F(MessageStreamTest, AFullSocketEndsNothingElse) {
-#if defined(SUTURE_ADDRESS_SANITIZER)
-  GTEST_SKIP() << "UBSan itself takes a descriptor to look at an object";
-#endif
-  auto pair = makeSocketPair();
-  fill(pair.ours);
-  MessageStream stream(port_, kj::mv(pair.ours));
-  auto reading = bounded(stream.read());
-  EXPECT_FALSE(reading.poll(port_.scope()));
-  const NoMoreDescriptors limit;
-  capnp::MallocMessageBuilder message;
-  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(8);
-  stream.write(message.getSegmentsForOutput());
-  EXPECT_TRUE(reading.wait(port_.scope()) == nullptr);
-  const std::string failure = refusal([&] { stream.end().wait(port_.scope()); });
-  EXPECT_TRUE(contains(failure, "Too many open files")) << failure;
-}
-
-TEST_F(MessageStreamTest, APeerThatStopsReadingIsGone) {
-  open();
-  auto reading = bounded(read());
-  shutdown(peer_, SHUT_RD);
-  capnp::MallocMessageBuilder message;
-  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(8);
-  stream_->write(message.getSegmentsForOutput());
-  EXPECT_TRUE(reading.wait(port_.scope()) == nullptr);
-}
-
-TEST_F(MessageStreamTest, EndSendsWhatIsPendingThenCloses) {
-  open();
-  capnp::MallocMessageBuilder message;
-  message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(16);
-  stream_->write(message.getSegmentsForOutput());
-  bounded(stream_->end()).wait(port_.scope());
-  std::byte bytes[1024];
-  EXPECT_EQ(recv(peer_, bytes, sizeof(bytes), 0), static_cast<ssize_t>(blobFrame(16).size()));
-  EXPECT_EQ(recv(peer_, bytes, sizeof(bytes), 0), 0);
 }
 
 }  // namespace

@@ -1,0 +1,35 @@
+// What begins a second connection is read in time, and written to a peer that takes it.
+
+#include <gtest/gtest.h>
+#include <suture/framing/preamble.h>
+
+#include <string>
+
+#include "stream_and_peer.h"
+#include "support/contains.h"
+#include "support/refusal.h"
+
+namespace suture::framing {
+namespace {
+
+TEST(Preamble, APeerThatIsGoneTakesNone) {
+  loop::EventPort port;
+  auto pair = makeSocketPair();
+  pair.theirs = nullptr;
+  const std::string error = refusal(
+      [&] { exchangeToken(port, net::ByteStream(kj::mv(pair.ours)), Token{}).wait(port.scope()); });
+  EXPECT_TRUE(contains(error, "the second connection takes nothing")) << error;
+}
+
+TEST(Preamble, ASilentPeerIsToldAsOne) {
+  loop::EventPort port;
+  auto pair = makeSocketPair();
+  const std::string error = refusal([&] {
+    readPreamble(port, net::ByteStream(kj::mv(pair.ours)), {.firstMilliseconds = 20})
+        .wait(port.scope());
+  });
+  EXPECT_TRUE(contains(error, kSilent)) << error;
+}
+
+}  // namespace
+}  // namespace suture::framing
