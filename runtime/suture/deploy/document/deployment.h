@@ -75,57 +75,27 @@ class Deployment {
   /// names none.
   const std::string& manager() const { return manager_; }
   /// Return the folder of keys and the policy file; "" if the file names none.
-  std::filesystem::path keys() const { return besideIt(document_.value().value("keys", "")); }
-  std::filesystem::path policy() const { return besideIt(document_.value().value("policy", "")); }
+  std::filesystem::path keys() const {
+    return document_.besideIt(document_.value().value("keys", ""));
+  }
+  std::filesystem::path policy() const {
+    return document_.besideIt(document_.value().value("policy", ""));
+  }
   const std::vector<ProcessEntry>& processes() const { return processes_; }
   const std::vector<ConnectionEntry>& connections() const { return connections_; }
 
   /// Returns the process of that name. Throws DocumentError that lists the processes that exist.
   const ProcessEntry& process(std::string_view name) const;
-  /// Returns `path` relative to the folder of the file, as a deployment means it.
-  std::filesystem::path besideIt(const std::string& path) const;
 
  private:
-  void readAll();
-  void readManager();
-  void readProcesses();
-  ComponentEntry readComponent(const nlohmann::json& component, const std::string& pointer);
-  std::optional<RestartBudget> readRestart(const nlohmann::json& component,
-                                           const std::string& pointer);
-  std::optional<BlackBoxEntry> readBlackBox(const nlohmann::json& process,
-                                            const std::string& pointer);
-  std::optional<rt::Scheduling> readScheduling(const nlohmann::json& owner,
-                                               const std::string& pointer);
-  void readConnections();
-  Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
-                        const char* end);
-  ConnectOptions readOptions(const nlohmann::json& connection, const std::string& pointer);
-  ConnectionDelay readDelay(const nlohmann::json& connection, const std::string& pointer);
-  FaultPlan readFaults(const nlohmann::json& connection, const std::string& pointer);
-  ConnectionContract readContract(const nlohmann::json& connection, const std::string& pointer);
-  Duration readSilence(const nlohmann::json& contract, const std::string& pointer);
-  Duration readDuration(const std::string& text, const std::string& pointer,
-                        Duration longest = std::chrono::seconds(60));
-  /// Returns the duration at `key` of `object`, which must not be zero; `otherwise` if there is
-  /// none.
-  Duration readLength(const nlohmann::json& object, const char* key, const char* otherwise,
-                      const std::string& pointer);
-  void checkNames();
-  void checkBlackBox(const ProcessEntry& process);
-  void reportMissing(const ProcessEntry& process, const std::string& component,
-                     const std::string& pointer);
-  void checkSingleProviders();
-  void checkManager();
-  void checkPorts();
-  bool isOneMachine() const;
-  void checkEndpoint(const Endpoint& endpoint, const std::string& pointer);
-  void report(const std::string& pointer, const std::string& text);
+  /// Returns the problems that its schema does not know. Throws DocumentError with those that it
+  /// does.
+  std::vector<std::string> read();
 
   JsonDocument document_;
   std::string manager_;
   std::vector<ProcessEntry> processes_;
   std::vector<ConnectionEntry> connections_;
-  std::vector<std::string> problems_;  // those found so far, while it is being checked
 };
 
 }  // namespace suture

@@ -45,6 +45,11 @@ int JsonDocument::lineOf(std::string pointer) const {
   }
 }
 
+std::filesystem::path JsonDocument::besideIt(const std::string& path) const {
+  if (path.empty()) return {};
+  return std::filesystem::path(name_).parent_path() / path;
+}
+
 std::string JsonDocument::locate(const std::string& pointer, std::string_view text) const {
   return place(pointer) + ": error: " + std::string(text);
 }

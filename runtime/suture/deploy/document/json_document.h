@@ -36,6 +36,8 @@ class JsonDocument {
 
   const nlohmann::json& value() const { return value_; }
   const std::string& name() const { return name_; }
+  /// Returns `path`, which a file means relative to its folder; "" for "".
+  std::filesystem::path besideIt(const std::string& path) const;
 
   /// Returns the line, from 1, of the value at `pointer` (of its key, if it has one), or of the
   /// closest one around it.

@@ -1,4 +1,5 @@
 #include <suture/base/nearest.h>
+#include <suture/deploy/document/document_problems.h>
 #include <suture/deploy/document/policy_file.h>
 #include <suture/deploy/document/schema_check.h>
 
@@ -13,22 +14,21 @@ using nlohmann::json;
 using Names = std::vector<std::string>;
 using Roles = std::map<std::string, Role>;
 
-Roles readRoles(const JsonDocument& document, Names& problems) {
+Roles readRoles(const JsonDocument& document, DocumentProblems& problems) {
   Roles roles;
   const json& given = document.value().at("roles");
   for (std::size_t i = 0; i < given.size(); ++i) {
     const std::string name = given[i].at("name");
     Role role{.full = given[i].value("full", Names{}), .read = given[i].value("read", Names{})};
     if (roles.emplace(name, std::move(role)).second) continue;
-    problems.push_back(
-        document.locate("/roles/" + std::to_string(i) + "/name",
-                        "there is another role '" + name + "'; give each its own name"));
+    problems.report("/roles/" + std::to_string(i) + "/name",
+                    "there is another role '" + name + "'; give each its own name");
   }
   return roles;
 }
 
 Rule readRule(const JsonDocument& document, std::size_t index, const Roles& roles,
-              Names& problems) {
+              DocumentProblems& problems) {
   const json& given = document.value().at("rules").at(index);
   const std::string name = given.at("role");
   const auto found = roles.find(name);
@@ -36,10 +36,10 @@ Rule readRule(const JsonDocument& document, std::size_t index, const Roles& role
   Names known;
   for (const auto& [role, unused] : roles) known.push_back(role);
   const std::string nearest = nearestName(name, known);
-  problems.push_back(document.locate(
+  problems.report(
       "/rules/" + std::to_string(index) + "/role",
       "no role '" + name + "' here; there are " + listNames(known) +
-          (nearest.empty() ? "; add it to 'roles'" : "; did you mean '" + nearest + "'?")));
+          (nearest.empty() ? "; add it to 'roles'" : "; did you mean '" + nearest + "'?"));
   return {};
 }
 
@@ -50,17 +50,14 @@ Policy readPolicy(const std::filesystem::path& file) {
 }
 
 Policy readPolicy(const JsonDocument& document) {
-  Names problems;
-  for (const JsonProblem& problem : checkSchema(document.value(), json::parse(policySchema()))) {
-    problems.push_back(document.locate(problem.pointer, problem.text));
-  }
-  if (!problems.empty()) throw DocumentError(problems);
+  requireSchema(document, policySchema());
+  DocumentProblems problems(document);
   const Roles roles = readRoles(document, problems);
   std::vector<Rule> rules;
   for (std::size_t i = 0; i < document.value().at("rules").size(); ++i) {
     rules.push_back(readRule(document, i, roles, problems));
   }
-  if (!problems.empty()) throw DocumentError(problems);
+  problems.throwIfAny();
   return Policy(std::move(rules));
 }
 

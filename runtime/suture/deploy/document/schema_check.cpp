@@ -1,4 +1,5 @@
 #include <suture/base/nearest.h>
+#include <suture/deploy/document/document_problems.h>
 #include <suture/deploy/document/json_document.h>
 #include <suture/deploy/document/schema_check.h>
 
@@ -127,8 +128,7 @@ bool isConsequence(const std::string& description) {
   return description.starts_with("Failed to validate ");
 }
 
-}  // namespace
-
+// Returns every place where `value` breaks `schema`, as a pointer and a text.
 std::vector<JsonProblem> checkSchema(const json& value, const json& schema) {
   std::vector<JsonProblem> problems;
   reportLongTexts({&value, &schema, ""}, problems);
@@ -147,6 +147,16 @@ std::vector<JsonProblem> checkSchema(const json& value, const json& schema) {
     report(error.description, placeOf(error.context, value, schema), problems);
   }
   return problems;
+}
+
+}  // namespace
+
+void requireSchema(const JsonDocument& document, const char* schema) {
+  DocumentProblems problems(document);
+  for (const JsonProblem& problem : checkSchema(document.value(), json::parse(schema))) {
+    problems.report(problem.pointer, problem.text);
+  }
+  problems.throwIfAny();
 }
 
 }  // namespace suture

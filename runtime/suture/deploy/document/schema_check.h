@@ -2,10 +2,7 @@
 // This checks a document against a JSON schema (draft 7), and says what is wrong in the schema's
 // own words.
 
-#include <suture/component/factory/json_reader.h>
-
-#include <nlohmann/json.hpp>
-#include <vector>
+#include <suture/deploy/document/json_document.h>
 
 namespace suture {
 
@@ -13,9 +10,9 @@ namespace suture {
 const char* deploymentSchema();
 const char* policySchema();
 
-/// Set-up code only. Returns every place where `value` breaks `schema`, as a pointer and a text.
-/// The schema may use type, required, properties, items, enum, pattern and bounds of numbers and
-/// lengths, and describes each property.
-std::vector<JsonProblem> checkSchema(const nlohmann::json& value, const nlohmann::json& schema);
+/// Set-up code only. Throws DocumentError with every place where `document` breaks `schema`, which
+/// may use type, required, properties, items, enum, pattern and bounds of numbers and lengths, and
+/// describes each property.
+void requireSchema(const JsonDocument& document, const char* schema);
 
 }  // namespace suture

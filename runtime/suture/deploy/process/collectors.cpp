@@ -91,7 +91,7 @@ void Collectors::checkFiles(const Deployment& deployment,
       if (!isCollector(entry) || file == entry.parameters.end() || !file->is_string()) continue;
       const std::string pointer = entry.pointer + "/parameters/file";
       const std::string& name = file->get_ref<const std::string&>();
-      const std::filesystem::path place = placeOf(deployment.besideIt(name));
+      const std::filesystem::path place = placeOf(deployment.document().besideIt(name));
       if (place == placeOf(deployment.document().name())) {
         problems.push_back(deployment.document().locate(
             pointer, "'" + name +
@@ -178,7 +178,7 @@ std::unique_ptr<Component> Collectors::create(const std::string& className,
 }
 
 std::shared_ptr<Sink> Collectors::sink(const std::string& file) {
-  const std::filesystem::path path = deployment_.besideIt(file);
+  const std::filesystem::path path = deployment_.document().besideIt(file);
   std::shared_ptr<Sink>& known = files_[placeOf(path)];
   if (known == nullptr) known = std::make_shared<JsonLines>(path);
   return known;
