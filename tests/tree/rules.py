@@ -74,6 +74,7 @@ MAY_NAME_LANES = {
         ("suture/lane/rpc/", "serves a plain Cap'n Proto client as that of a connection by calls, without a connection"),
     "runtime/suture/session/connect_options.h": DELAYS,
     "runtime/suture/session/client/remote_connection.cpp": DELAYS,
+    "runtime/suture/session/service_threads.cpp": DELAYS,
     "runtime/suture/manager/manager.cpp": DELAYS,
     "runtime/suture/deploy/check.cpp": DELAYS,
 }

@@ -9,7 +9,6 @@
 #include <suture/manager/manager.h>
 #include <suture/rt/standard_error.h>
 #include <suture/session/network.h>
-#include <suture/session/provider/device_executor.h>
 #include <suture/standard/collecting.suture.h>
 #include <suture/wiring/connect.h>
 
@@ -88,32 +87,7 @@ Manager::Manager(std::string process, const std::string& address, Duration patie
 Manager::Manager(std::string process, const std::string& address, const Security& security,
                  Duration patience, std::uint16_t port)
     : directory_(std::move(process)) {
-  network_ = std::make_unique<Network>(
-      directory_, address, [this](ProvidedBase& provided) { return serverOf(provided); },
-      [this](const Component& component) { return taskServing(component); }, patience, security,
-      port);
-}
-
-// Any thread. Returns the doorbell of what serves an interface for remote clients: its task or an
-// executor.
-std::shared_ptr<rt::Doorbell> Manager::serverOf(ProvidedBase& provided) {
-  if (provided.owner().ownsThread()) return provided.owner().sharedDoorbell();
-  const std::lock_guard lock(executorMutex_);
-  if (executor_ == nullptr) executor_ = std::make_unique<DeviceExecutor>(service_);
-  executor_->serve(provided);
-  return executor_->sharedDoorbell();
-}
-
-// Any thread. Returns the task that serves a component for remote clients, if there is one already.
-const Task* Manager::taskServing(const Component& component) {
-  if (component.ownsThread()) return static_cast<const Task*>(&component);
-  const std::lock_guard lock(executorMutex_);
-  return executor_.get();
-}
-
-DelayThread* Manager::delaysFor(const ConnectionDelay& delay) {
-  if (delay.any() && delays_ == nullptr) delays_ = std::make_unique<DelayThread>(service_);
-  return delay.any() ? delays_.get() : nullptr;
+  network_ = std::make_unique<Network>(directory_, address, threads_, patience, security, port);
 }
 
 Manager::~Manager() {
@@ -140,8 +114,7 @@ void Manager::scheduleService(const rt::Scheduling& scheduling) {
   const rt::Granted granted = rt::grantedOf("the connections of " + process(), scheduling);
   if (!granted.refusals.empty()) throw SetupError(granted.refusals.front());
   if (network_ != nullptr) network_->schedule(scheduling);
-  const std::lock_guard lock(executorMutex_);
-  service_ = scheduling;
+  threads_.schedule(scheduling);
 }
 
 void Manager::addLane(std::unique_ptr<LaneKind> lane) {
@@ -267,25 +240,21 @@ void Manager::stop() {
 std::string Manager::stopAll() {
   // Once stopped, components may be gone before the manager is.
   if (std::exchange(started_, false)) stopComponents();
-  // The executor rings the doorbells of the network and of delays, which ring each other's, and the
-  // network may still ask for an executor. So all stop before any of them is destroyed.
+  // The threads ring the doorbell of the network, which may still ask for one. So both stop before
+  // the network is destroyed.
   std::string why = network_ == nullptr ? "" : network_->leave();
-  if (executor_ != nullptr) executor_->stop();
-  delays_.reset();
-  executor_.reset();
+  threads_.stop();
   network_.reset();
   return why;
 }
 
-// A device's handler for a remote client runs in a cycle of the executor.
 void Manager::refuseToStopInCycle() {
   if (started_) {
     for (Component* component : directory_.components()) {
       if (Task* const task = taskOf(*component); task != nullptr) task->refuseToStopInCycle();
     }
   }
-  const std::lock_guard lock(executorMutex_);
-  if (executor_ != nullptr) executor_->refuseToStopInCycle();
+  threads_.refuseToStopInCycle();
 }
 
 // Stops tasks before the devices that they use, and collectors last, because they record the
@@ -353,7 +322,7 @@ void Manager::connect(RequiredBase& required, const Endpoint& from, std::string_
     throw SetupError("connecting " + connection, "this process has no global manager",
                      "Give the manager's address when constructing suture::Manager");
   }
-  network_->connect(required, from, to, options, delaysFor(options.delay), watch);
+  network_->connect(required, from, to, options, threads_.delaysFor(options.delay), watch);
 }
 
 void Manager::disconnect(std::string_view requiredName) {
@@ -388,11 +357,11 @@ std::shared_ptr<Channel> Manager::connectHere(RequiredBase& required, ProvidedBa
                                               const std::string& connection,
                                               const ConnectionDelay& delay,
                                               std::shared_ptr<ConnectionWatch> watch) {
-  DelayThread* const delays = delaysFor(delay);
+  DelayThread* const delays = threads_.delaysFor(delay);
   if (delays == nullptr) return connectLocally(required, provided, connection, std::move(watch));
   auto far = offerLocally(required, provided, {.name = connection, .watch = std::move(watch)},
                           {.client = delays->sharedDoorbell(),
-                           .provider = serverOf(provided),
+                           .provider = threads_.serverOf(provided),
                            .components = ConnectionEnd::Provider});
   std::erase_if(offered_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
   offered_.push_back(far);

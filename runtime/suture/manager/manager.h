@@ -5,13 +5,13 @@
 #include <suture/net/refusals.h>
 #include <suture/rt/scheduling.h>
 #include <suture/session/connect_options.h>
+#include <suture/session/service_threads.h>
 #include <suture/wiring/directory.h>
 
 #include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -19,12 +19,9 @@
 
 namespace suture {
 
-class DelayThread;
-class DeviceExecutor;
 class HandleBase;
 class LaneKind;
 class Network;
-class Task;
 struct Security;
 
 /// One thread uses it, which is no task's. Adds components, connects their interfaces and leads
@@ -160,9 +157,6 @@ class Manager {
   std::shared_ptr<Channel> connectionOf(const std::string& required) const;
   std::string missingFor(const RequiredBase& required) const;
   std::vector<std::string> missing() const;
-  std::shared_ptr<rt::Doorbell> serverOf(ProvidedBase& provided);
-  const Task* taskServing(const Component& component);
-  DelayThread* delaysFor(const ConnectionDelay& delay);
   std::shared_ptr<Channel> connectHere(RequiredBase& required, ProvidedBase& provided,
                                        const std::string& connection, const ConnectionDelay& delay,
                                        std::shared_ptr<ConnectionWatch> watch);
@@ -176,10 +170,7 @@ class Manager {
   bool started_ = false;
   // A component rings it when its state has changed, even one that outlives this.
   const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();
-  std::mutex executorMutex_;  // never taken by a task thread
-  rt::Scheduling service_;
-  std::unique_ptr<DeviceExecutor> executor_;
-  std::unique_ptr<DelayThread> delays_;
+  ServiceThreads threads_;
   std::unique_ptr<Network> network_;
   std::map<std::string, std::shared_ptr<Channel>> local_;  // by required interface
   std::vector<std::shared_ptr<Channel>> offered_;          // the provider ends of delayed ones

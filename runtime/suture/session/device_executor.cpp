@@ -1,5 +1,5 @@
 #include <suture/rt/state/state_table.h>
-#include <suture/session/provider/device_executor.h>
+#include <suture/session/device_executor.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <suture/session/provider/ledgers.h>
+#include <suture/session/ledgers.h>
 
 namespace suture {
 

@@ -10,8 +10,8 @@
 #include <suture/names/start_hint.h>
 #include <suture/rt/standard_error.h>
 #include <suture/session/client/remote_connection.h>
+#include <suture/session/ledgers.h>
 #include <suture/session/network.h>
-#include <suture/session/provider/ledgers.h>
 #include <suture/session/provider/peer_host.h>
 #include <unistd.h>
 
@@ -59,9 +59,10 @@ std::uint64_t newIncarnation() {
 
 class Network::Impl {
  public:
-  Impl(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
-       TaskOf taskOf, Duration patience, const Security& security, std::uint16_t port)
+  Impl(const Directory& directory, const std::string& managerAddress, ServiceThreads& threads,
+       Duration patience, const Security& security, std::uint16_t port)
       : directory_(directory),
+        threads_(threads),
         managers_(net::parseAddresses(managerAddress)),
         security_(security),
         port_(port) {
@@ -72,10 +73,7 @@ class Network::Impl {
     requireHasPorts(managers_.front(), directory_.process(), port_);
     try {
       patience = std::min(patience, kLongestPatience);
-      run(control_, patience + kLocalWork,
-          [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf), patience]() mutable {
-            return join(std::move(serverOf), std::move(taskOf), patience);
-          });
+      run(control_, patience + kLocalWork, [this, patience] { return join(patience); });
     } catch (const SetupError&) {
       leave();
       throw;
@@ -218,7 +216,7 @@ class Network::Impl {
   }
 
  private:
-  kj::Promise<void> join(ServerOf serverOf, TaskOf taskOf, Duration patience) {
+  kj::Promise<void> join(Duration patience) {
     auto givenUp = kj::newPromiseAndFulfiller<void>();
     givenUp_ = givenUp.promise.fork();
     giveUp_ = kj::mv(givenUp.fulfiller);
@@ -228,25 +226,23 @@ class Network::Impl {
                                            SessionIdentity{directory_.process(), incarnation_});
     const std::string waits = "waits for a global manager " + atMost(patience) + ". " +
                               howToStartManager(managers_.front());
-    return tellIfLong(link_->open(patience), waits)
-        .then([this, serverOf = std::move(serverOf), taskOf = std::move(taskOf)]() mutable {
-          host_ = listen(std::move(serverOf), std::move(taskOf));
-          return link_->enrol({.name = directory_.process(),
-                               .addresses = {host_->address().text()},
-                               .pid = getpid(),
-                               .host = hostName(),
-                               .components = {},
-                               .generation = 0});
-        });
+    return tellIfLong(link_->open(patience), waits).then([this] {
+      host_ = listen();
+      return link_->enrol({.name = directory_.process(),
+                           .addresses = {host_->address().text()},
+                           .pid = getpid(),
+                           .host = hostName(),
+                           .components = {},
+                           .generation = 0});
+    });
   }
 
   // Says which process is to have a port that it cannot have.
-  std::unique_ptr<PeerHost> listen(ServerOf serverOf, TaskOf taskOf) {
+  std::unique_ptr<PeerHost> listen() {
     const std::string& process = directory_.process();
     try {
-      return std::make_unique<PeerHost>(control_, lanes_, directory_, std::move(serverOf),
-                                        std::move(taskOf), peerAddress(*link_, process, port_),
-                                        security_, incarnation_);
+      return std::make_unique<PeerHost>(control_, lanes_, directory_, threads_, incarnation_,
+                                        peerAddress(*link_, process, port_), security_);
     } catch (const SetupError& error) {
       if (port_ == 0) throw;
       throw SetupError(portAsked(process, port_) + ": " + error.what());
@@ -305,6 +301,7 @@ class Network::Impl {
   }
 
   const Directory& directory_;
+  ServiceThreads& threads_;
   const std::vector<net::Address> managers_;  // all of one kind
   const Security security_;
   const std::uint16_t port_;  // 0: the kernel takes one
@@ -323,10 +320,10 @@ class Network::Impl {
   std::map<std::string, std::string> whyLost_, whyNotBack_;
 };
 
-Network::Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
-                 TaskOf taskOf, Duration patience, const Security& security, std::uint16_t port)
-    : impl_(std::make_unique<Impl>(directory, managerAddress, std::move(serverOf),
-                                   std::move(taskOf), patience, security, port)) {}
+Network::Network(const Directory& directory, const std::string& managerAddress,
+                 ServiceThreads& threads, Duration patience, const Security& security,
+                 std::uint16_t port)
+    : impl_(std::make_unique<Impl>(directory, managerAddress, threads, patience, security, port)) {}
 
 Network::~Network() = default;
 

@@ -13,7 +13,6 @@
 #include <suture/wiring/directory.h>
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,22 +21,17 @@
 namespace suture {
 
 class DelayThread;
-class Task;
+class ServiceThreads;
 
 /// The manager's thread uses it; all work happens on the control thread that it owns.
 class Network {
  public:
-  /// Returns the doorbell of the thread that serves an interface for remote clients: the task's, or
-  /// an executor's.
-  using ServerOf = std::function<std::shared_ptr<rt::Doorbell>(ProvidedBase&)>;
-  /// Returns the task whose thread that is; nullptr: a device that no remote client has used yet.
-  using TaskOf = std::function<const Task*(const Component&)>;
-
   /// Listens, and registers the process at the global managers. `managerAddress` is one address or
   /// several, separated by commas. It listens at `port` of tls:// and tcp://; 0: at one that the
-  /// kernel takes. Throws SetupError.
-  Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
-          TaskOf taskOf, Duration patience, const Security& security = {}, std::uint16_t port = 0);
+  /// kernel takes. `threads` serve its peers; they outlive it, and stop after leave(). Throws
+  /// SetupError.
+  Network(const Directory& directory, const std::string& managerAddress, ServiceThreads& threads,
+          Duration patience, const Security& security = {}, std::uint16_t port = 0);
   ~Network();
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;

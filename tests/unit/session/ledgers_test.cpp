@@ -2,7 +2,7 @@
 // some.
 
 #include <gtest/gtest.h>
-#include <suture/session/provider/ledgers.h>
+#include <suture/session/ledgers.h>
 
 #include <memory>
 #include <string>

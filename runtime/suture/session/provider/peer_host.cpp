@@ -14,13 +14,12 @@ constexpr std::size_t kMostSecondSockets = 1024;
 }  // namespace
 
 PeerHost::PeerHost(loop::ControlThread& control, const Lanes& lanes, const Directory& directory,
-                   Network::ServerOf serverOf, Network::TaskOf taskOf, const net::Address& address,
-                   const Security& security, std::uint64_t incarnation)
+                   ServiceThreads& threads, std::uint64_t incarnation, const net::Address& address,
+                   const Security& security)
     : control_(control),
       lanes_(lanes),
       directory_(directory),
-      serverOf_(std::move(serverOf)),
-      taskOf_(std::move(taskOf)),
+      threads_(threads),
       incarnation_(incarnation),
       policy_(security.policy),
       whenPublished_(nullptr),

@@ -5,13 +5,14 @@
 #include <suture/lane/lanes.h>
 #include <suture/loop/control_thread.h>
 #include <suture/names/security.h>
+#include <suture/net/refusals.h>
 #include <suture/peer.capnp.h>
-#include <suture/session/network.h>
+#include <suture/session/ledgers.h>
 #include <suture/session/provider/awaited_sockets.h>
 #include <suture/session/provider/latest_connections.h>
-#include <suture/session/provider/ledgers.h>
 #include <suture/session/provider/limits/channel_memory.h>
 #include <suture/session/provider/limits/places.h>
+#include <suture/session/service_threads.h>
 #include <suture/wiring/directory.h>
 
 #include <cstdint>
@@ -28,8 +29,8 @@ class PeerHost {
  public:
   /// Throws SetupError as LinkServer does.
   PeerHost(loop::ControlThread& control, const Lanes& lanes, const Directory& directory,
-           Network::ServerOf serverOf, Network::TaskOf taskOf, const net::Address& address,
-           const Security& security, std::uint64_t incarnation);
+           ServiceThreads& threads, std::uint64_t incarnation, const net::Address& address,
+           const Security& security);
 
   const net::Address& address() const { return server_->address(); }
 
@@ -68,9 +69,8 @@ class PeerHost {
   loop::ControlThread& control_;
   const Lanes& lanes_;
   const Directory& directory_;
-  const Network::ServerOf serverOf_;
-  const Network::TaskOf taskOf_;
-  const std::uint64_t incarnation_;  // this process's
+  ServiceThreads& threads_;
+  const std::uint64_t incarnation_;  // of this process
   const Policy policy_;
   kj::Own<kj::PromiseFulfiller<void>> published_;
   kj::ForkedPromise<void> whenPublished_;

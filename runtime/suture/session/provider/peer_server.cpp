@@ -114,7 +114,7 @@ void PeerServer::putTasks(wire::Peer::PingResults::Builder results) const {
   auto tasks = results.initTasks(static_cast<unsigned>(watched_.size()));
   for (unsigned i = 0; i < tasks.size(); ++i) {
     const Component* const component = host_.directory_.findComponent(watched_[i]);
-    const Task* const task = component == nullptr ? nullptr : host_.taskOf_(*component);
+    const Task* const task = component == nullptr ? nullptr : host_.threads_.taskOf(*component);
     toWire(task == nullptr ? TaskActivity::Reading{} : task->activity().read(), tasks[i]);
     if (task != nullptr) tasks[i].setCycles(task->statistics().cycles);
   }
@@ -241,7 +241,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
                                     .ledger = host_.ledgers_.of(caller_->identity.text(), name,
                                                                 incarnation_)},
                           .events = fromWireNumbers(match.contract->wireEvents, in.getEvents()),
-                          .provider = host_.serverOf_(provided),
+                          .provider = host_.threads_.serverOf(provided),
                           .readOnly = admission_.mayOnlyRead(endpoint),
                           .peer = state_,
                           .silence = silenceIn(in)},
@@ -418,7 +418,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
                                             .contract = provided.info(),
                                             .terms = {.name = name},
                                             .events = ~EventSet{0},
-                                            .provider = host_.serverOf_(provided),
+                                            .provider = host_.threads_.serverOf(provided),
                                             .readOnly = admission_.mayOnlyRead(endpoint)};
         const ChannelMemory::Share memory = host_.memory_.share(caller_->identity.text());
         const std::size_t bytes = Channel::bytesFor(provided.info());
