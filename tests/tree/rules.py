@@ -75,7 +75,7 @@ MAY_NAME_LANES = {
     "runtime/suture/session/connect_options.h": DELAYS,
     "runtime/suture/session/client/remote_connection.cpp": DELAYS,
     "runtime/suture/session/service_threads.cpp": DELAYS,
-    "runtime/suture/manager/manager.cpp": DELAYS,
+    "runtime/suture/manager/connections.cpp": DELAYS,
     "runtime/suture/deploy/check.cpp": DELAYS,
 }
 

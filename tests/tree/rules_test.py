@@ -75,7 +75,7 @@ class Planted(unittest.TestCase):
         self.expect(rules.check_lanes, "names a lane, suture/lane/fault/")
 
     def test_a_file_that_may_name_one_lane_names_another(self):
-        self.write("runtime/suture/manager/manager.cpp", '#include <suture/lane/delay/delay_thread.h>\nconst char* a = "rpc";\n')
+        self.write("runtime/suture/manager/connections.cpp", '#include <suture/lane/delay/delay_thread.h>\nconst char* a = "rpc";\n')
         self.expect(rules.check_lanes, 'names a lane, "rpc"')
 
     def test_an_excuse_that_nothing_needs(self):

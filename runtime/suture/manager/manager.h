@@ -2,6 +2,8 @@
 // This is the local manager: the components of one process and their connections.
 
 #include <suture/component/component.h>
+#include <suture/manager/component_lives.h>
+#include <suture/manager/connections.h>
 #include <suture/net/refusals.h>
 #include <suture/rt/scheduling.h>
 #include <suture/session/connect_options.h>
@@ -150,30 +152,16 @@ class Manager {
   void connect(HandleBase& handle, RequiredBase& required, std::string_view provided,
                const ConnectOptions& options);
   void disconnect(HandleBase& handle);
-  void connect(RequiredBase& required, const Endpoint& from, std::string_view provided,
-               const ConnectOptions& options);
-  void change(const std::string& component, Transition transition, Duration patience);
   std::string placeOf(const Component& component, const std::string& interface) const;
-  std::shared_ptr<Channel> connectionOf(const std::string& required) const;
-  std::string missingFor(const RequiredBase& required) const;
-  std::vector<std::string> missing() const;
-  std::shared_ptr<Channel> connectHere(RequiredBase& required, ProvidedBase& provided,
-                                       const std::string& connection, const ConnectionDelay& delay,
-                                       std::shared_ptr<ConnectionWatch> watch);
-
-  void refuseToStopInCycle();
+  void refuseToStopInCycle() const;
   std::string stopAll();
-  void stopComponents();
 
   Directory directory_;
   const std::shared_ptr<const std::string> name_ = std::make_shared<std::string>(process());
-  bool started_ = false;
-  // A component rings it when its state has changed, even one that outlives this.
-  const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();
   ServiceThreads threads_;
   std::unique_ptr<Network> network_;
-  std::map<std::string, std::shared_ptr<Channel>> local_;  // by required interface
-  std::vector<std::shared_ptr<Channel>> offered_;          // the provider ends of delayed ones
+  Connections connections_{directory_, threads_, network_};
+  ComponentLives lives_{directory_, connections_};
   std::vector<HandleBase*> handles_;
 };
 

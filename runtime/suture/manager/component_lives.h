@@ -1,0 +1,54 @@
+#pragma once
+// This leads the components of one process through their lives.
+
+#include <suture/component/component.h>
+#include <suture/manager/connections.h>
+#include <suture/rt/doorbell.h>
+#include <suture/wiring/directory.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// The manager's thread uses it.
+class ComponentLives {
+ public:
+  /// Both outlive it.
+  ComponentLives(const Directory& directory, const Connections& connections)
+      : directory_(directory), connections_(connections) {}
+
+  /// A component rings it when its state has changed, even one that outlives this.
+  std::shared_ptr<rt::Doorbell> changed() const { return changed_; }
+
+  /// Configures the components that are not configured.
+  void configure();
+  /// Configures, and starts all that do not run.
+  void start();
+  /// Waits until each runs and its required interfaces can reach their providers. Throws SetupError
+  /// that names each that does not, and why, after `patience`, or as soon as one has faulted.
+  void await(Duration patience) const;
+  /// Suspends or resumes the component of that name. Throws SetupError if it does not get there
+  /// within `patience`.
+  void change(const std::string& component, Transition transition, Duration patience);
+
+  /// Throws SetupError in the thread of a task that stop() would wait for.
+  void refuseToStopInCycle() const;
+  /// Stops what start() has started. It does nothing a second time, since components may be gone
+  /// once they have been stopped.
+  void stop();
+
+ private:
+  bool anyFaulted() const;
+  std::vector<std::string> missing() const;
+  std::string missingFor(const RequiredBase& required) const;
+  void stopTasks(bool collectors);
+
+  const Directory& directory_;
+  const Connections& connections_;
+  const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();
+  bool started_ = false;
+};
+
+}  // namespace suture
