@@ -139,7 +139,7 @@ void Connections::resume(std::string_view requiredName) {
 
 std::shared_ptr<Channel> Connections::of(const std::string& required) const {
   if (const auto found = local_.find(required); found != local_.end()) return found->second;
-  return network_ == nullptr ? nullptr : network_->connected(required);
+  return network_ == nullptr ? nullptr : network_->news().connected(required);
 }
 
 std::vector<std::shared_ptr<Channel>> Connections::all() const {
@@ -147,7 +147,7 @@ std::vector<std::shared_ptr<Channel>> Connections::all() const {
   for (const auto& [name, channel] : local_) all.push_back(channel);
   all.insert(all.end(), offered_.begin(), offered_.end());
   if (network_ == nullptr) return all;
-  for (auto& [name, channel] : network_->connected()) all.push_back(std::move(channel));
+  for (auto& [name, channel] : network_->news().connected()) all.push_back(std::move(channel));
   for (auto& channel : network_->served()) all.push_back(std::move(channel));
   return all;
 }

@@ -146,11 +146,13 @@ std::string Manager::missingGlobalManager() const {
 }
 
 std::map<std::string, std::string> Manager::whyLost() const {
-  return ask(network_.get(), &Network::whyLost);
+  if (network_ == nullptr) return {};
+  return network_->news().whyLost();
 }
 
 std::map<std::string, std::string> Manager::whyNotBack() const {
-  return ask(network_.get(), &Network::whyNotBack);
+  if (network_ == nullptr) return {};
+  return network_->news().whyNotBack();
 }
 
 std::uint64_t Manager::incarnation() const { return ask(network_.get(), &Network::incarnation); }

@@ -2,14 +2,18 @@
 // This is a process's part in the network: its control thread, the address where peers reach it,
 // its name at the global manager, and its connections.
 
-#include <suture/component/channel/channel.h>
-#include <suture/component/provided.h>
+#include <kj/async.h>
 #include <suture/component/required.h>
-#include <suture/lane/lane_kind.h>
+#include <suture/lane/lanes.h>
+#include <suture/loop/control_thread.h>
 #include <suture/names/security.h>
+#include <suture/net/address.h>
 #include <suture/net/refusals.h>
 #include <suture/rt/scheduling.h>
 #include <suture/session/connect_options.h>
+#include <suture/session/connection_news.h>
+#include <suture/session/ledgers.h>
+#include <suture/session/service_threads.h>
 #include <suture/wiring/directory.h>
 
 #include <cstdint>
@@ -21,7 +25,10 @@
 namespace suture {
 
 class DelayThread;
-class ServiceThreads;
+class ManagerLink;
+class PeerHost;
+class RemoteConnection;
+class Sessions;
 
 /// The manager's thread uses it; all work happens on the control thread that it owns.
 class Network {
@@ -51,9 +58,8 @@ class Network {
 
   /// Connects by way of the control link, also to this process itself. `delays` delays it;
   /// nullptr: nothing does. Throws SetupError.
-  void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
-               const ConnectOptions& options, DelayThread* delays,
-               std::shared_ptr<ConnectionWatch> watch);
+  void connect(RequiredBase& required, Endpoint from, Endpoint to, ConnectOptions options,
+               DelayThread* delays, std::shared_ptr<ConnectionWatch> watch);
   /// Any thread. Makes a connect() under way throw now, and later ones too.
   void giveUp();
   /// Takes down a connection made by connect(); after that the required interface is not attached
@@ -68,25 +74,42 @@ class Network {
   /// Returns the addresses of the global managers that do not answer.
   std::string missingManager() const;
 
-  /// Returns the client ends of what has been connected, by required interface ("Teleop/Slave").
-  std::map<std::string, std::shared_ptr<Channel>> connected() const;
-  /// Returns that of one required interface; nullptr: it has none.
-  std::shared_ptr<Channel> connected(const std::string& required) const;
-  /// Returns the last reason, in words, why each channel that was lost is, by the channel's name.
-  /// A connection that is taken down leaves none.
-  std::map<std::string, std::string> whyLost() const;
-  /// Returns in words why each channel that is lost cannot be made anew, by the channel's name.
-  std::map<std::string, std::string> whyNotBack() const;
+  /// Tells what has become of the connections that this process has begun.
+  const ConnectionNews& news() const { return news_; }
   /// Returns a number that distinguishes this start of the process from all others; never 0.
-  std::uint64_t incarnation() const;
+  std::uint64_t incarnation() const { return incarnation_; }
   /// Counts what this process has refused to peers.
   net::Refusals::Summary refusals() const;
   /// Returns the provider ends of what peers have connected to this process.
   std::vector<std::shared_ptr<Channel>> served() const;
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  kj::Promise<void> join(Duration patience);
+  std::unique_ptr<PeerHost> listen();
+  std::string endThere();
+  kj::Promise<void> tellIfLong(kj::Promise<void> awaited, const std::string& what);
+  kj::Promise<void> untilGivenUp();
+  /// Opens a connection that has been begun.
+  kj::Promise<void> open(const std::string& required, const Endpoint& to, Duration patience);
+  std::shared_ptr<Ledger> ledgerOf(const std::string& connection);
+  void forget(const std::string& required);
+
+  const Directory& directory_;
+  ServiceThreads& threads_;
+  const std::vector<net::Address> managers_;  // all of one kind
+  const Security security_;
+  const std::uint16_t port_;  // 0: the kernel takes one
+  const std::uint64_t incarnation_;
+  loop::ControlThread control_;
+  Lanes lanes_ = makeLanes();
+  std::unique_ptr<ManagerLink> link_;
+  std::unique_ptr<Sessions> sessions_;
+  std::unique_ptr<PeerHost> host_;
+  kj::ForkedPromise<void> givenUp_{nullptr};
+  kj::Own<kj::PromiseFulfiller<void>> giveUp_;
+  Ledgers ledgers_{ConnectionEnd::Client};
+  std::map<std::string, std::unique_ptr<RemoteConnection>> connections_;  // by required interface
+  ConnectionNews news_;
 };
 
 }  // namespace suture
