@@ -12,7 +12,7 @@ RUNTIME = ["base", "base/slots", "rt", "rt/queue", "rt/state", "component/contra
            "component/channel", "component/required",
            "component", "component/factory", "component/task", "wiring", "loop", "net/tls", "net", "framing", "codec", "codec/json", "lane",
            "lane/carrier", "lane/fault", "lane/delay", "lane/rpc", "lane/shm", "lane/frame/bytes", "lane/frame/payloads", "lane/frame", "names", "session", "session/client",
-           "session/provider/limits", "session/provider", "standard", "manager", "observe", "record", "testing", "deploy/document", "deploy/process", "deploy"]
+           "session/provider/limits", "session/provider/shared", "session/provider/connections", "session/provider", "standard", "manager", "observe", "record", "testing", "deploy/document", "deploy/process", "deploy"]
 CLI = ["values", "command_line", "contract", "peer", "text", "."]
 COMPILER = {"frontend": ["ast", "report", "types", "."], "lock": ["schema", "moves", "."], "emit": ["text", "wire", "cpp", "docs", "."]}
 # A folder of runtime/suture/ that has a namespace of its own shares it with the folders below; what lies in no such folder is in suture itself.
@@ -70,7 +70,7 @@ def check_layers(root):
 LANE = re.compile(r"suture/lane/(shm|frame|rpc|delay|fault)/|\bLane::(Shm|Frame|Rpc)\b|\\?\"(shm|frame|rpc)\\?\"")
 DELAYS = ("suture/lane/delay/", "a delay is no lane, but is put on a connection of any")
 MAY_NAME_LANES = {
-    "runtime/suture/session/provider/peer_server.cpp":
+    "runtime/suture/session/provider/plain_client.cpp":
         ("suture/lane/rpc/", "serves a plain Cap'n Proto client as that of a connection by calls, without a connection"),
     "runtime/suture/session/connect_options.h": DELAYS,
     "runtime/suture/session/client/remote_connection.cpp": DELAYS,

@@ -158,7 +158,7 @@ kj::Promise<void> Network::open(const std::string& required, const Endpoint& to,
 
 void Network::giveUp() {
   control_.post([this] {
-    if (giveUp_.get() != nullptr) giveUp_->fulfill();
+    if (givenUp_ != nullptr) givenUp_->reach();
   });
 }
 
@@ -186,9 +186,7 @@ std::vector<std::shared_ptr<Channel>> Network::served() const {
 }
 
 kj::Promise<void> Network::join(Duration patience) {
-  auto givenUp = kj::newPromiseAndFulfiller<void>();
-  givenUp_ = givenUp.promise.fork();
-  giveUp_ = kj::mv(givenUp.fulfiller);
+  givenUp_ = std::make_unique<loop::Milestone>();
   link_ =
       std::make_unique<ManagerLink>(control_, managers_, directory_.process(), security_.trust());
   sessions_ = std::make_unique<Sessions>(control_, *link_, lanes_,
@@ -210,8 +208,9 @@ kj::Promise<void> Network::join(Duration patience) {
 std::unique_ptr<PeerHost> Network::listen() {
   const std::string& process = directory_.process();
   try {
-    return std::make_unique<PeerHost>(control_, lanes_, directory_, threads_, incarnation_,
-                                      peerAddress(*link_, process, port_), security_);
+    return std::make_unique<PeerHost>(
+        ServingProcess{control_, lanes_, directory_, threads_, incarnation_, security_.policy},
+        peerAddress(*link_, process, port_), security_.trust());
   } catch (const SetupError& error) {
     if (port_ == 0) throw;
     throw SetupError(portAsked(process, port_) + ": " + error.what());
@@ -229,8 +228,7 @@ std::string Network::endThere() {
     return kj::evalLast([this] {
       host_.reset();
       link_.reset();
-      givenUp_ = nullptr;
-      giveUp_ = nullptr;
+      givenUp_.reset();
     });
   });
 }
@@ -258,7 +256,7 @@ void Network::forget(const std::string& required) {
 }
 
 kj::Promise<void> Network::untilGivenUp() {
-  return givenUp_.addBranch().then([]() -> kj::Promise<void> {
+  return givenUp_->reached().then([]() -> kj::Promise<void> {
     return loop::failure(kj::Exception::Type::FAILED,
                          "this process has been told to end while it waited. Start it again.");
   });

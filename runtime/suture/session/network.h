@@ -6,6 +6,7 @@
 #include <suture/component/required.h>
 #include <suture/lane/lanes.h>
 #include <suture/loop/control_thread.h>
+#include <suture/loop/milestone.h>
 #include <suture/names/security.h>
 #include <suture/net/address.h>
 #include <suture/net/refusals.h>
@@ -105,8 +106,7 @@ class Network {
   std::unique_ptr<ManagerLink> link_;
   std::unique_ptr<Sessions> sessions_;
   std::unique_ptr<PeerHost> host_;
-  kj::ForkedPromise<void> givenUp_{nullptr};
-  kj::Own<kj::PromiseFulfiller<void>> giveUp_;
+  std::unique_ptr<loop::Milestone> givenUp_;
   Ledgers ledgers_{ConnectionEnd::Client};
   std::map<std::string, std::unique_ptr<RemoteConnection>> connections_;  // by required interface
   ConnectionNews news_;

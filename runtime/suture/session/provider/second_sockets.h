@@ -3,8 +3,8 @@
 
 #include <suture/framing/link_server.h>
 #include <suture/lane/lanes.h>
-#include <suture/session/provider/awaited_sockets.h>
 #include <suture/session/provider/limits/places.h>
+#include <suture/session/provider/shared/awaited_sockets.h>
 
 #include <cstdint>
 #include <map>

@@ -1,6 +1,6 @@
 #include <suture/codec/tallies.h>
 #include <suture/codec/text.h>
-#include <suture/session/provider/notices_sender.h>
+#include <suture/session/provider/connections/notices_sender.h>
 
 namespace suture {
 

@@ -1,4 +1,4 @@
-#include <suture/session/provider/latest_connections.h>
+#include <suture/session/provider/shared/latest_connections.h>
 
 namespace suture {
 

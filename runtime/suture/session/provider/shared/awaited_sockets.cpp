@@ -1,5 +1,5 @@
 #include <suture/base/errors.h>
-#include <suture/session/provider/awaited_sockets.h>
+#include <suture/session/provider/shared/awaited_sockets.h>
 #include <sys/random.h>
 
 #include <cerrno>

@@ -1,5 +1,5 @@
 #include <suture/loop/deadline.h>
-#include <suture/session/provider/client_leases.h>
+#include <suture/session/provider/connections/client_leases.h>
 
 #include <algorithm>
 
