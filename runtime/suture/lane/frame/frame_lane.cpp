@@ -4,8 +4,8 @@
 #include <suture/frame.capnp.h>
 #include <suture/lane/frame/frame_lane.h>
 #include <suture/lane/frame/framed_connection.h>
-#include <suture/lane/opened_once.h>
 #include <suture/loop/failure.h>
+#include <suture/loop/opened_once.h>
 #include <suture/net/socket.h>
 #include <suture/wiring/memory_layout.h>
 
@@ -147,7 +147,7 @@ class FrameClient final : public LaneClient {
   FrameLane& lane_;
   ClientSession& session_;
   Duration longest_{0};
-  OpenedOnce<SessionLink> opened_;
+  loop::OpenedOnce<SessionLink> opened_;
   std::shared_ptr<SessionLink> link_;  // as long as the session has no other
 };
 

@@ -2,8 +2,8 @@
 // This is the lane of calls in the client's process.
 
 #include <suture/lane/lane_kind.h>
-#include <suture/lane/opened_once.h>
 #include <suture/lane/rpc/calls_link.h>
+#include <suture/loop/opened_once.h>
 
 #include <memory>
 #include <vector>
@@ -25,7 +25,7 @@ class CallsClient final : public LaneClient {
   ClientSession& session_;
   Duration longest_{0};
   std::vector<std::weak_ptr<CallsLink>> links_;
-  OpenedOnce<CallsLink> shared_;
+  loop::OpenedOnce<CallsLink> shared_;
 };
 
 }  // namespace suture::rpc

@@ -1,7 +1,7 @@
 #pragma once
 // These are the sessions of this process with the peers whose components it uses.
 
-#include <suture/lane/opened_once.h>
+#include <suture/loop/opened_once.h>
 #include <suture/session/client/peer_session.h>
 
 #include <map>
@@ -29,7 +29,7 @@ class Sessions {
 
  private:
   struct Known {
-    OpenedOnce<PeerSession> session;
+    loop::OpenedOnce<PeerSession> session;
     Time until{};  // when the attempt under way ends
   };
 

@@ -1,5 +1,5 @@
 #pragma once
-// This opens something that takes long to open and serves many.
+// This opens something that takes long to open and serves many, such as a socket.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace suture {
+namespace suture::loop {
 
 /// Belongs to the control thread; outlives its promises. The first caller opens it, and all that
 /// ask meanwhile get the same, or the same failure. It is opened anew when the last reference has
@@ -61,4 +61,4 @@ class OpenedOnce {
   kj::Promise<void> task_ = kj::READY_NOW;  // last: cancelled first
 };
 
-}  // namespace suture
+}  // namespace suture::loop

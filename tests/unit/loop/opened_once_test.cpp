@@ -1,11 +1,11 @@
 // These tests see that something slow to open is opened once for all who ask for it.
 
 #include <gtest/gtest.h>
-#include <suture/lane/opened_once.h>
 #include <suture/loop/event_port.h>
 #include <suture/loop/failure.h>
+#include <suture/loop/opened_once.h>
 
-namespace suture {
+namespace suture::loop {
 namespace {
 
 struct Thing {
@@ -29,7 +29,7 @@ class OpenedOnceTest : public testing::Test {
     });
   }
 
-  loop::EventPort port_;
+  EventPort port_;
   OpenedOnce<Thing> once_;
   kj::Own<kj::PromiseFulfiller<Opened>> let_;
   int openings_ = 0;
@@ -56,7 +56,7 @@ TEST_F(OpenedOnceTest, AnAskersEndHurtsNoOthers) {
 
 TEST_F(OpenedOnceTest, AFailureIsSharedAndTriedAgain) {
   auto first = ask(), second = ask();
-  let_->reject(loop::failure(kj::Exception::Type::FAILED, "no such thing"));
+  let_->reject(failure(kj::Exception::Type::FAILED, "no such thing"));
   EXPECT_THROW(first.wait(port_.scope()), kj::Exception);
   EXPECT_THROW(second.wait(port_.scope()), kj::Exception);
   auto third = ask();
@@ -81,4 +81,4 @@ TEST_F(OpenedOnceTest, BrokenOrUnusedOnesAreOpenedAnew) {
 }
 
 }  // namespace
-}  // namespace suture
+}  // namespace suture::loop
