@@ -1,10 +1,12 @@
 #include <suture/framing/message_stream.h>
 
 #include <suture/framing/received_message.h>
+#include <suture/loop/deadline.h>
 #include <suture/loop/failure.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <span>
 
 namespace suture::framing {
@@ -300,13 +302,12 @@ kj::Promise<void> MessageStream::end() {
   auto pair = kj::newPromiseAndFulfiller<void>();
   ending_ = kj::mv(pair.fulfiller);
   port_.flushBeforeSleep(*this);
-  auto late = port_.getTimer()
-                  .afterDelay(limits_.drainMilliseconds * kj::MILLISECONDS)
-                  .then([this]() -> kj::Promise<void> {
-                    fail(loop::disconnected(kTakesNothing));
-                    return kj::cp(KJ_ASSERT_NONNULL(writeFailure_));
-                  });
-  return pair.promise.then([this] { bytes_.end(); }).exclusiveJoin(kj::mv(late));
+  return loop::unlessLate(port_.getTimer(), std::chrono::milliseconds(limits_.drainMilliseconds),
+                          pair.promise.then([this] { bytes_.end(); }),
+                          [this]() -> kj::Promise<void> {
+                            fail(loop::disconnected(kTakesNothing));
+                            return kj::cp(KJ_ASSERT_NONNULL(writeFailure_));
+                          });
 }
 
 }  // namespace suture::framing

@@ -1,8 +1,10 @@
 #include <suture/framing/preamble.h>
+#include <suture/loop/deadline.h>
 #include <suture/loop/failure.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <span>
 
@@ -70,10 +72,9 @@ kj::Promise<Opened> readPreamble(loop::EventPort& port, net::ByteStream bytes,
   auto reader = kj::heap<PreambleReader>(port, kj::mv(bytes));
   auto opened = kj::evalNow([&] { return reader->read(); }).attach(kj::mv(reader));
   if (limits.firstMilliseconds == 0) return opened;
-  auto late = port.getTimer()
-                  .afterDelay(limits.firstMilliseconds * kj::MILLISECONDS)
-                  .then([]() -> kj::Promise<Opened> { return loop::disconnected(kSentNothing); });
-  return opened.exclusiveJoin(kj::mv(late));
+  return loop::unlessLate(port.getTimer(), std::chrono::milliseconds(limits.firstMilliseconds),
+                          kj::mv(opened),
+                          []() -> kj::Promise<Opened> { return loop::disconnected(kSentNothing); });
 }
 
 // A new connection has room for these few bytes, so they leave in one send.

@@ -6,19 +6,25 @@
 #include <suture/loop/failure.h>
 
 #include <string>
+#include <utility>
 
 namespace suture::loop {
 
 inline kj::Duration toKj(Duration duration) { return duration.count() * kj::NANOSECONDS; }
 
+/// Ends as `promise` does, or after `limit` as what `late()` returns.
+template <class T, class Late>
+kj::Promise<T> unlessLate(kj::Timer& timer, Duration limit, kj::Promise<T> promise, Late late) {
+  return promise.exclusiveJoin(timer.afterDelay(toKj(limit)).then(std::move(late)));
+}
+
 /// Ends as `promise` does, or rejects after `limit` with `text` (as OVERLOADED, like KJ's own
 /// timeouts).
 template <class T>
 kj::Promise<T> within(kj::Timer& timer, Duration limit, kj::Promise<T> promise, std::string text) {
-  auto late = timer.afterDelay(toKj(limit)).then([text = std::move(text)]() -> kj::Promise<T> {
+  return unlessLate(timer, limit, kj::mv(promise), [text = std::move(text)]() -> kj::Promise<T> {
     return failure(kj::Exception::Type::OVERLOADED, text);
   });
-  return promise.exclusiveJoin(kj::mv(late));
 }
 
 }  // namespace suture::loop

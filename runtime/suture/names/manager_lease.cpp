@@ -94,11 +94,11 @@ kj::Promise<void> ManagerLease::renew() {
   auto held = KJ_REQUIRE_NONNULL(lease_).renewRequest().send().then(
       [](auto&& results) { return results.getHeld(); },
       [](kj::Exception&&) { return true; });  // a broken link ends by itself
-  auto silent = control_.timer().afterDelay(loop::toKj(kAnswerLimit)).then([] { return false; });
-  return held.exclusiveJoin(kj::mv(silent)).then([this](bool goesOn) -> kj::Promise<void> {
-    if (!goesOn) return kj::READY_NOW;
-    return control_.timer().afterDelay(loop::toKj(kRenewal)).then([this] { return renew(); });
-  });
+  return loop::unlessLate(control_.timer(), kAnswerLimit, kj::mv(held), [] { return false; })
+      .then([this](bool goesOn) -> kj::Promise<void> {
+        if (!goesOn) return kj::READY_NOW;
+        return control_.timer().afterDelay(loop::toKj(kRenewal)).then([this] { return renew(); });
+      });
 }
 
 kj::Promise<void> ManagerLease::comeBack(Duration pause) {

@@ -1,3 +1,4 @@
+#include <suture/loop/deadline.h>
 #include <suture/loop/failure.h>
 #include <suture/loop/write_observer.h>
 #include <suture/net/dialer.h>
@@ -54,12 +55,9 @@ kj::Promise<kj::AutoCloseFd> tryConnect(loop::EventPort& port, const Address& ad
 
 kj::Promise<kj::AutoCloseFd> dial(loop::EventPort& port, const Address& address,
                                   Duration deadline) {
-  auto late = port.getTimer()
-                  .afterDelay(deadline.count() * kj::NANOSECONDS)
-                  .then([address]() -> kj::Promise<kj::AutoCloseFd> {
-                    return cannotConnect(address, ETIMEDOUT);
-                  });
-  return kj::evalNow([&] { return tryConnect(port, address); }).exclusiveJoin(kj::mv(late));
+  return loop::unlessLate(
+      port.getTimer(), deadline, kj::evalNow([&] { return tryConnect(port, address); }),
+      [address]() -> kj::Promise<kj::AutoCloseFd> { return cannotConnect(address, ETIMEDOUT); });
 }
 
 }  // namespace suture::net

@@ -110,13 +110,10 @@ kj::Promise<std::vector<Address>> HostLookup::places(Duration limit) {
                   .fork();
   }
   auto answered = answer_.addBranch().then([this] { return known(why_); });
-  auto late =
-      port_.getTimer()
-          .afterDelay(loop::toKj(known_.empty() ? limit : std::min(limit, kToHearAgain)))
-          .then([this] {
-            return known(asked(address_) + ": the name service does not answer. " + kRemedy);
-          });
-  return answered.exclusiveJoin(kj::mv(late));
+  const Duration longest = known_.empty() ? limit : std::min(limit, kToHearAgain);
+  return loop::unlessLate(port_.getTimer(), longest, kj::mv(answered), [this] {
+    return known(asked(address_) + ": the name service does not answer. " + kRemedy);
+  });
 }
 
 kj::Promise<std::vector<Address>> HostLookup::known(const std::string& why) const {

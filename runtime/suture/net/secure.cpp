@@ -102,11 +102,9 @@ kj::Promise<ByteStream> handshake(loop::EventPort& port, kj::AutoCloseFd socket,
                                   Duration deadline) {
   auto under = kj::heap<Handshake>(port, kj::mv(socket), std::move(keys), side);
   auto done = kj::evalNow([&] { return under->go(); }).attach(kj::mv(under));
-  auto late =
-      port.getTimer().afterDelay(loop::toKj(deadline)).then([]() -> kj::Promise<ByteStream> {
-        return loop::disconnected("it did not finish the TLS handshake in time.");
-      });
-  return done.exclusiveJoin(kj::mv(late));
+  return loop::unlessLate(port.getTimer(), deadline, kj::mv(done), []() -> kj::Promise<ByteStream> {
+    return loop::disconnected("it did not finish the TLS handshake in time.");
+  });
 }
 
 void requireKeys(const Address& address, const Trust& trust) {
