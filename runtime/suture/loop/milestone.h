@@ -12,7 +12,7 @@ class Milestone {
  public:
   Milestone() : Milestone(kj::newPromiseAndFulfiller<void>()) {}
 
-  /// It has happened. It may be told again.
+  /// Says that it has happened. May be called again.
   void reach() { fulfiller_->fulfill(); }
   /// Resolves when it happens, or at once if it has.
   kj::Promise<void> reached() { return fork_.addBranch(); }

@@ -22,12 +22,13 @@ class ServedPeer {
  public:
   ServedPeer(SharedBySessions& shared, std::shared_ptr<framing::Caller> caller);
 
-  /// What it says of itself when it begins the session.
+  /// A Greeting is what it says of itself when it begins the session.
   struct Greeting {
     std::string bootId;
     std::uint64_t incarnation = 0;
     std::uint64_t number = 0;  ///< which of all that this process has had
   };
+  /// Takes down what it says, and makes it known to the link.
   void greet(std::string bootId, std::uint64_t incarnation);
 
   SharedBySessions& shared() { return shared_; }
