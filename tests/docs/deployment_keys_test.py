@@ -101,7 +101,7 @@ class Keys:
 
 
 class DeploymentKeys(Keys, unittest.TestCase):
-    kind, sources = "deployment", "deployment.*"
+    kind, sources = "deployment", "deployment*.*"
 
     def part_of(self, page):
         return page.partition(POLICY)[0]
