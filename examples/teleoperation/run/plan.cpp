@@ -84,7 +84,7 @@ void makeKeys(nlohmann::json& system, const std::filesystem::path& folder) {
 void keepPaths(json& system, const suture::Deployment& topology) {
   const auto keep = [&](json& owner, const char* key) {
     const auto path = owner.find(key);
-    if (path != owner.end()) *path = topology.besideIt(*path).string();
+    if (path != owner.end()) *path = topology.document().besideIt(*path).string();
   };
   keep(system, "keys");
   keep(system, "policy");
