@@ -69,14 +69,15 @@ void ChannelClient::popReply() {
   channel_.replies.pop();
 }
 
+// Opens the gate before it looks at the provider: a loss that comes behind the look closes the gate
+// again, for its client notices it later still, and no loss is admitted that the operator has not
+// seen. Until then the status keeps commands back.
 ResumeOutcome ChannelClient::resume() {
   ConnectionWatch* const watch = channel_.terms.watch.get();
-  if (watch == nullptr || !watch->awaitsOperator) return ResumeOutcome::NotAwaiting;
-  if (errorOf(channel_.status.load(std::memory_order_acquire)) != Errc{}) {
-    return ResumeOutcome::ProviderLost;
-  }
-  watch->awaitsOperator = false;
-  return ResumeOutcome::Resumed;
+  if (watch == nullptr || !watch->awaitsOperator.exchange(false)) return ResumeOutcome::NotAwaiting;
+  if (errorOf(channel_.status.load()) == Errc{}) return ResumeOutcome::Resumed;
+  watch->awaitsOperator = true;
+  return ResumeOutcome::ProviderLost;
 }
 
 }  // namespace suture
