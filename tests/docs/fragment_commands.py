@@ -60,7 +60,7 @@ class Commands:
         self._require(program.exists(), f"there is no program '{name}'")
         if name == "suture":  # it asks a manager that is not there, if the command line makes sense
             done = self._run([program, *arguments])
-            self._require(done.returncode != 2, done.stderr.strip())
+            self._require(done.returncode >= 0 and done.returncode != 2, done.stderr.strip() or f"it ended by signal {-done.returncode}")
             return
         for word in arguments:
             if word.startswith("--"):

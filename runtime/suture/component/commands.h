@@ -79,6 +79,7 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
   ///   AwaitingOperator    its provider was lost or faulted, and an operator has to resume it
   ///   Full                as many of this command wait as its queue takes; see room()
   ///   TooLarge, Invalid   an argument exceeds its capacity, or the contract does not admit it
+  ///   OnLoan              it was sent from within the filling of a loan(); see there
   /// Reports count what becomes of it later (Late, Superseded, NotPermitted ...), and start() tells
   /// it.
   Result<Nothing> operator()(Arguments... arguments) {
@@ -93,9 +94,9 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
   ///   });
   /// `rest` has everything else; leave the list empty in it. The room has any old bytes, and
   /// another process may change it: write it only. The command's age begins before `fill` does.
-  /// While it runs, other commands of this interface answer Errc::OnLoan. If `fill` throws, nothing
-  /// is sent. A command that runs in this thread allocates its argument. Errors are those of
-  /// operator().
+  /// While it runs, other commands of this interface answer Errc::OnLoan, and so do fresh reads. If
+  /// `fill` throws, or the provider cannot be reached when it returns, nothing is sent. A command
+  /// that runs in this thread allocates its argument. Errors are those of operator().
   template <auto... List, class Fill>
   Result<Nothing> loan(Arguments... rest, const Fill& fill) {
     static_assert(sizeof...(Arguments) == 1, "a loan is for a command with one argument");
@@ -132,12 +133,14 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
 
   template <class Store>
   Errc lendHere(ProvidedBase& callee, const Store& storeAll) {
-    LooseSlot<ArgumentsSlot> slot;
-    const bool fits = storeAll(slot.value());
-    const Errc error = required_.sender.judge(id_, slot.memory(), fits);
-    if (error != Errc{}) return error;
     std::tuple<std::remove_cvref_t<Arguments>...> arguments;
-    load(onlyMember(slot.value()), std::get<0>(arguments));
+    {
+      LooseSlot<ArgumentsSlot> slot;  // the handler finds this thread's memory free again
+      const Errc error =
+          required_.sender.lendHere(id_, slot.memory(), [&] { return storeAll(slot.value()); });
+      if (error != Errc{}) return error;
+      load(onlyMember(slot.value()), std::get<0>(arguments));
+    }
     return runCounted(callee, std::get<0>(arguments));
   }
 

@@ -48,7 +48,6 @@ Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
 }
 
 std::shared_ptr<Channel> ProvidedBase::onlySubscriber(std::uint16_t event) const {
-  if (emitsInWrongThread()) return nullptr;
   std::shared_ptr<Channel> only;
   bool lends = true;
   forEachSubscriber(event, [&](const std::shared_ptr<Channel>& channel, bool direct) {

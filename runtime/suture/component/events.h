@@ -59,7 +59,9 @@ class Emitter {
   /// called as that of Command::loan() is. `List` is a member of the payload's slot, or several
   /// that lead to it. If one subscriber hears a queued event of more than 512 bytes, it is written
   /// where it leaves from; otherwise it is copied, as from operator(). `fill` may emit other
-  /// events. The event's stamp is when `fill` returns. If `fill` throws, nothing is emitted.
+  /// events. The event's stamp is when `fill` returns, but who gets it is settled before. So `fill`
+  /// should be short: until it returns, no more of this event find room than the rest of the queue
+  /// takes. If `fill` throws, nothing is emitted.
   ///   camera_.emit().frame.loan<&FrameSlot::pixels>(frame, [&](std::span<std::uint8_t> room) {
   ///     return sensor_.grab(room);
   ///   });
@@ -73,6 +75,7 @@ class Emitter {
  private:
   template <class Store>
   Errc emitFilled(const Store& storeAll) {
+    if (provided_.emitsInWrongThread()) return Errc::WrongThread;
     if (EventLoan loan(provided_, event_); loan.memory() != nullptr) {
       return loan.emit(storeAll(*reinterpret_cast<Slot*>(loan.memory())));
     }

@@ -150,7 +150,8 @@ class ProvidedBase {
   /// handler runs in the thread that emits.
   template <class Visit>
   void forEachSubscriber(std::uint16_t event, const Visit& visit) const;
-  /// Returns the only subscriber of `event`, if its queue is where the event goes; else nullptr.
+  /// In a thread that may emit: returns the only subscriber of `event`, if its queue is where the
+  /// event goes; else nullptr.
   std::shared_ptr<Channel> onlySubscriber(std::uint16_t event) const;
   /// Emits what EventQueue::lend() of `channel` gave.
   void deliverLent(Channel& channel, std::uint16_t event, std::byte* payload);

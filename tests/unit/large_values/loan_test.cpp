@@ -12,6 +12,7 @@
 #include <set>
 #include <span>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "support/allocations.h"
@@ -170,7 +171,10 @@ TEST_P(LoansBy, SendNothingThatTheContractRefuses) {
   auto& show = camera_.screen.show;
   auto& shown = screen_.screen.emit().shown;
   const auto tooMany = [](Room room) { return room.size() + 1; };
+  auto& replace = camera_.screen.replace;
   for (int i = 0; i < 5; ++i) {  // more than either queue has room for
+    EXPECT_EQ(replace.loan<&FrameSlot::pixels>({1, {}}, tooMany).error(), Errc::TooLarge);
+    EXPECT_EQ(replace.loan<&FrameSlot::pixels>({1, {}}, shaded(201)).error(), Errc::Invalid);
     EXPECT_EQ(show.loan<&FrameSlot::pixels>({1, {}}, tooMany).error(), Errc::TooLarge);
     EXPECT_EQ(shown.loan<&FrameSlot::pixels>({1, {}}, tooMany).error(), Errc::TooLarge);
     EXPECT_EQ(show.loan<&FrameSlot::pixels>({1, {}}, shaded(201)).error(), Errc::Invalid);
@@ -189,6 +193,8 @@ TEST_P(LoansBy, SendNothingIfTheirFillThrows) {
   const auto fails = [](Room) -> std::size_t { throw std::runtime_error("no light"); };
   for (int i = 0; i < 5; ++i) {
     EXPECT_THROW(show.loan<&FrameSlot::pixels>({1, {}}, fails), std::runtime_error);
+    EXPECT_THROW(camera_.screen.replace.loan<&FrameSlot::pixels>({1, {}}, fails),
+                 std::runtime_error);
     EXPECT_THROW(shown.loan<&FrameSlot::pixels>({1, {}}, fails), std::runtime_error);
   }
   ASSERT_TRUE(show.loan<&FrameSlot::pixels>({2, {}}, shaded(5)));
@@ -294,6 +300,45 @@ TEST_F(LoansWithin, RunInTheCallersThread) {
   ofDevice_.processEvents();
   EXPECT_EQ(device_.seen, std::vector{frameOf(1, 3, 10)});
   EXPECT_EQ(ofDevice_.heard, std::vector{frameOf(4, 5)});
+}
+
+TEST_F(LoansWithin, OfADeviceAllowNoOtherCommand) {
+  auto& show = ofDevice_.screen.show;
+  ASSERT_TRUE(show.loan<&FrameSlot::pixels>({1, {}}, [&](Room room) {
+    EXPECT_EQ(show(frameOf(2, 1)).error(), Errc::OnLoan);
+    EXPECT_EQ(show.loan<&FrameSlot::pixels>({3, {}}, shaded(1)).error(), Errc::OnLoan);
+    return shaded(9, 10)(room);
+  }));
+  EXPECT_EQ(device_.seen, std::vector{frameOf(1, 9, 10)});
+}
+
+TEST_F(LoansWithin, OfADeviceEndWithTheirConnection) {
+  const auto fill = [&](Room room) {
+    manager_.disconnect("OfDevice/Screen");
+    ofDevice_.processEvents();
+    return shaded(1)(room);
+  };
+  EXPECT_EQ(ofDevice_.screen.show.loan<&FrameSlot::pixels>({1, {}}, fill).error(), Errc::Lost);
+  EXPECT_EQ(device_.seen, std::vector<Frame>{});
+}
+
+TEST_F(LoansWithin, ReachNoProviderThatStopsMeanwhile) {
+  const auto fill = [&](Room room) {
+    task_.stop();
+    return shaded(1)(room);
+  };
+  EXPECT_EQ(ofTask_.screen.show.loan<&FrameSlot::pixels>({1, {}}, fill).error(), Errc::Lost);
+  EXPECT_EQ(ofTask_.screen.show.loan<&FrameSlot::pixels>({2, {}}, shaded(1)).error(), Errc::Lost);
+}
+
+TEST_F(LoansWithin, OfAnEventNeedItsThread) {
+  bool filled = false;
+  std::thread([&] {
+    const auto fill = [&](Room) { return filled = true, std::size_t{0}; };
+    EXPECT_EQ(task_.screen.emit().shown.loan<&FrameSlot::pixels>({1, {}}, fill).error(),
+              Errc::WrongThread);
+  }).join();
+  EXPECT_FALSE(filled);
 }
 
 TEST_F(LoansWithin, AreCopiedForSeveralSubscribers) {

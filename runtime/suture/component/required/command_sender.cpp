@@ -50,13 +50,18 @@ Errc CommandSender::commit(std::uint16_t command, const std::byte* arguments, bo
 
 CommandSender::Loan::~Loan() {
   sender_.lending_ = false;
-  if (isOpen_) channel_->commands.abandon();
+  if (claimed_) channel_->commands.abandon();
 }
 
 // A component that waits in its own code may get another connection meanwhile.
+Errc CommandSender::Loan::broken(std::uint16_t command) const {
+  Attachment& attachment = sender_.attachment_;
+  return attachment.channel() == channel_ ? attachment.unusable(command) : Errc::Lost;
+}
+
 Errc CommandSender::Loan::commit(std::uint16_t command, const std::byte* arguments, bool fits) {
-  if (sender_.attachment_.channel() != channel_) return Errc::Lost;
-  isOpen_ = false;
+  if (const Errc error = broken(command); error != Errc{}) return error;
+  claimed_ = false;
   return sender_.commit(command, arguments, fits);
 }
 

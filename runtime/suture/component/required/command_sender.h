@@ -24,16 +24,18 @@ class CommandSender {
   template <class Fill>
   Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
   /// Does the same for a `fill` that is the component's own code: until it returns, other commands
-  /// of this interface answer Errc::OnLoan. If it throws, nothing is sent.
+  /// of this interface answer Errc::OnLoan. If it throws, or if the provider cannot be reached by
+  /// then, nothing is sent.
   template <class Fill>
   Errc lend(std::uint16_t command, const Fill& fill);
+  /// Calls such a `fill()` for a command that runs in this thread, and checks the `arguments` that
+  /// it has stored. The command may run if the answer is 0.
+  template <class Fill>
+  Errc lendHere(std::uint16_t command, const std::byte* arguments, const Fill& fill);
   /// Checks arguments that go to a handler as they are. Answers an error if their slot would not
   /// fit or the contract does not admit them.
   template <class Slot, class... Arguments>
   Errc judgeHere(std::uint16_t command, Arguments&... arguments);
-  /// Answers an error, and counts it, if the arguments in a slot did not fit or the contract does
-  /// not admit them.
-  Errc judge(std::uint16_t command, const std::byte* arguments, bool fits);
   /// Does the same for the result of a call in this thread.
   template <class Slot, class Value>
   Errc judgeResultHere(std::uint16_t command, const Value& value) const;
@@ -57,26 +59,32 @@ class CommandSender {
   Errc claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments);
   /// Publishes what claim() gave, or gives it up if no provider may see such arguments.
   Errc commit(std::uint16_t command, const std::byte* arguments, bool fits);
+  /// Answers an error, and counts it, if the arguments in a slot did not fit or the contract does
+  /// not admit them.
+  Errc judge(std::uint16_t command, const std::byte* arguments, bool fits);
   /// Returns false for a result that the contract does not admit, and notes that.
   bool admitsResult(std::uint16_t command, const std::byte* result) const;
 
-  /// Keeps what claim() gave until commit(), or gives it up. The memory stays, whatever becomes of
-  /// the connection meanwhile.
+  /// Keeps other commands away while it lasts, and the memory of the connection, whatever becomes
+  /// of that. Gives up what has been claimed, unless it is committed.
   class Loan {
    public:
-    explicit Loan(CommandSender& sender) : sender_(sender), channel_(sender.attachment_.channel()) {
+    Loan(CommandSender& sender, bool claimed)
+        : sender_(sender), channel_(sender.attachment_.channel()), claimed_(claimed) {
       sender_.lending_ = true;
     }
     ~Loan();
     Loan(const Loan&) = delete;
     Loan& operator=(const Loan&) = delete;
 
+    /// Returns why the connection no longer reaches the provider, or 0 if it does.
+    Errc broken(std::uint16_t command) const;
     Errc commit(std::uint16_t command, const std::byte* arguments, bool fits);
 
    private:
     CommandSender& sender_;
     const std::shared_ptr<Channel> channel_;
-    bool isOpen_ = true;
+    bool claimed_;
   };
 
   Attachment& attachment_;
@@ -94,12 +102,22 @@ template <class Fill>
 Errc CommandSender::lend(std::uint16_t command, const Fill& fill) {
   std::byte* arguments = nullptr;
   if (const Errc error = claim(command, 0, arguments); error != Errc{}) return error;
-  Loan loan(*this);
+  Loan loan(*this, true);
   return loan.commit(command, arguments, fill(arguments));
+}
+
+template <class Fill>
+Errc CommandSender::lendHere(std::uint16_t command, const std::byte* arguments, const Fill& fill) {
+  if (lending_) return Errc::OnLoan;
+  const Loan loan(*this, false);
+  const bool fits = fill();
+  const Errc error = loan.broken(command);
+  return error == Errc{} ? judge(command, arguments, fits) : error;
 }
 
 template <class Slot, class... Arguments>
 Errc CommandSender::judgeHere(std::uint16_t command, Arguments&... arguments) {
+  if (lending_) return Errc::OnLoan;
   if constexpr (sizeof...(Arguments) != 0) {
     if (infoOf(command).accepts == nullptr) return Errc{};
     LooseSlot<Slot> slot;
