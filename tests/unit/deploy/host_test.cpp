@@ -69,11 +69,16 @@ std::vector<std::string> troublesOf(const Host& host) {
   return texts;
 }
 
-TEST(Host, RunsAndConnectsWhatTheFileSays) {
-  const Deployment deployment = deploymentOf(
+/// Returns the deployment of an arm and of a client that is connected to it.
+Deployment armAndClient() {
+  return deploymentOf(
       "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
       "{\"name\": \"Client\", \"class\": \"Client\"}",
       "{\"from\": \"Client/Arm\", \"to\": \"PSM/Arm\"}");
+}
+
+TEST(Host, RunsAndConnectsWhatTheFileSays) {
+  const Deployment deployment = armAndClient();
   Host host(deployment, "all", kClasses);
   host.start();
   const auto channels = host.manager().channels();
@@ -142,10 +147,7 @@ TEST(Host, ARestartIsNews) {
 }
 
 TEST(Host, AStoppedProviderHereIsNamed) {
-  const Deployment deployment = deploymentOf(
-      "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
-      "{\"name\": \"Client\", \"class\": \"Client\"}",
-      "{\"from\": \"Client/Arm\", \"to\": \"PSM/Arm\"}");
+  const Deployment deployment = armAndClient();
   Host host(deployment, "all", kClasses);
   host.start();
   dynamic_cast<reference::SimulatedArm&>(host.manager().directory().component("PSM")).stop();

@@ -1,4 +1,4 @@
-// What begins a second connection is read in time, and written to a peer that takes it.
+// The first bytes of a second connection are read in time, and written to a peer that takes it.
 
 #include <gtest/gtest.h>
 #include <suture/framing/preamble.h>

@@ -130,7 +130,7 @@ TEST_F(HeartbeatTest, AMutePeerIsLost) {
   EXPECT_EQ(now() - begun, kBounds.silence);
 }
 
-// What the peer knows of this process is as old as if the peer had been silent. A look was due in
+// The peer's news of this process is as old as if the peer had been silent. A look was due in
 // 10 ms, a tenth of the bound on hanging.
 TEST_F(HeartbeatTest, ASleepOfThisProcessIsBlamed) {
   answers_.silentAfter = 0;

@@ -1,4 +1,4 @@
-// Who asks for an interface or a lane while a process starts waits until it has published.
+// A request for an interface or a lane waits, while a process starts, until that has published.
 
 #include <capnp/message.h>
 #include <gtest/gtest.h>
