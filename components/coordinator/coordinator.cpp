@@ -11,11 +11,19 @@ namespace {
 // meanwhile. It counts from its last heartbeat, which is up to 0.4 s older than the pause.
 constexpr suture::Duration kCommandsMayBeLost = std::chrono::milliseconds(1500);
 
-// A client with a shorter silence loses its connection in a shorter pause. Drives have stopped by
-// then, because their permit lapses in 30 ms.
+// A client that ends its connection in a shorter pause, or has a shorter silence, loses a command
+// as well. Drives have stopped by then, because their permit lapses in 30 ms.
 constexpr suture::Duration kShortPause = std::chrono::milliseconds(50);
 // The coordinator is told of a client's end so soon after a pause.
 constexpr suture::Duration kToldWithin = std::chrono::seconds(1);
+
+// Returns how long a pause may be without a lost command of a client that is gone. A client that
+// fell silent has lost none in a pause that is much shorter than its silence: its cable was cut, or
+// it stood still itself.
+suture::Duration harmlessPause(const suture::ConnectedClient& client, suture::ClientNews news) {
+  if (news != suture::ClientNews::Silent) return kShortPause;
+  return std::max(kShortPause, client.silence * 3 / 4);  // of 2 s: kCommandsMayBeLost
+}
 
 }  // namespace
 
@@ -30,9 +38,12 @@ void Coordinator::run() {
   const suture::Duration pause = cycles_.sinceLast();
   cycles_.begin();
   pauseIsNoticed_ = false;
-  if (pause > kShortPause) pauseCountsUntil_ = suture::now() + kToldWithin;
+  if (pause > kShortPause) {
+    pause_ = std::max(pause, recentPause());
+    pauseCountsUntil_ = suture::now() + kToldWithin;
+  }
   const bool pressMayBeLost =
-      std::exchange(clientIsGone_, false) && suture::now() < pauseCountsUntil_;
+      recentPause() > std::exchange(harmlessPause_, suture::Duration::max());
   const bool nobodyCanPress = std::exchange(buttonIsGone_, false);
   if (pause > kCommandsMayBeLost || pressMayBeLost || nobodyCanPress) stopDrives(false);
   const bool withheld = permit_.press == news_.press;
@@ -64,7 +75,7 @@ void Coordinator::onClient(const suture::ProvidedBase&, const suture::ConnectedC
     auto* const place = std::find(newcomers_.begin(), newcomers_.end(), nullptr);
     if (place != newcomers_.end()) *place = &client;
   } else if (!forgetNewcomer(client)) {
-    clientIsGone_ = true;
+    harmlessPause_ = std::min(harmlessPause_, harmlessPause(client, news));
   }
 }
 
@@ -73,6 +84,10 @@ void Coordinator::onClient(const suture::ProvidedBase&, const suture::ConnectedC
 void Coordinator::noticePause() {
   if (cycles_.sinceLast() <= kShortPause || std::exchange(pauseIsNoticed_, true)) return;
   newcomers_.fill(nullptr);
+}
+
+suture::Duration Coordinator::recentPause() const {
+  return suture::now() < pauseCountsUntil_ ? pause_ : suture::Duration{0};
 }
 
 bool Coordinator::forgetNewcomer(const suture::ConnectedClient& client) {

@@ -31,8 +31,8 @@ struct SUTURE_TYPE() CoordinatorParameters {
 /// Permits drives to have power until somebody presses the stop. It starts pressed, because one
 /// that is started again does not know if it was pressed: an operator releases it. For the same
 /// reason it is pressed when it goes on after a suspension, or after a pause in which the commands
-/// of its clients may have been lost: a long one, or one in which a client's connection ended. The
-/// end of a button's connection presses it at any time.
+/// of its clients may have been lost: a long one, or one in which a client ended its connection or
+/// was lost by its short silence. The end of a button's connection presses it at any time.
 class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public EmergencyStop {
  public:
   explicit Coordinator(const CoordinatorParameters& parameters);
@@ -52,6 +52,7 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
   void begin(bool isStart);
   void stopDrives(bool isStart);
   void noticePause();
+  suture::Duration recentPause() const;
   bool forgetNewcomer(const suture::ConnectedClient& client);
   bool canBePressed() const;
 
@@ -59,9 +60,11 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
   CycleWatch cycles_;
   StopNews news_{true, {}, true, 0};  // the last
   bool buttonIsGone_ = false;         // since the last cycle
-  bool clientIsGone_ = false;         // likewise, and it came before the last pause
   bool pauseIsNoticed_ = false;       // the one before this cycle
-  suture::Time pauseCountsUntil_{};   // a client that goes until then may have pressed in a pause
+  suture::Duration pause_{0};         // the longest of those that still count
+  suture::Time pauseCountsUntil_{};   // a client that goes until then may have pressed in it
+  // A longer pause may have lost a press of those that have gone since the last cycle.
+  suture::Duration harmlessPause_ = suture::Duration::max();
   // They have come since the last pause; one for which there is no place counts as earlier.
   std::array<const suture::ConnectedClient*, 16> newcomers_{};
   Permit permit_;

@@ -333,7 +333,7 @@ TEST_P(StopAcross, ALateClientReleasesIt) {
 // The client was new after no pause or an earlier one, and is told to have gone some cycles later.
 TEST_P(StopAcross, ALatecomersLostPressPressesIt) {
   const suture::ProvidedBase& stop = *coordinator_.provided().front();
-  const suture::ConnectedClient late("late:Panel/Stop");
+  const suture::ConnectedClient late("late:Panel/Stop", 100ms);
   coordinator_.onClient(stop, late, suture::ClientNews::Connected);
   pass(10ms);
   desksProcess_.freeze();
@@ -342,6 +342,27 @@ TEST_P(StopAcross, ALatecomersLostPressPressesIt) {
   pass(10ms);
   ASSERT_TRUE(coordinator_.permit().granted);
   coordinator_.onClient(stop, late, suture::ClientNews::Silent);
+  pass(10ms);
+  EXPECT_FALSE(coordinator_.permit().granted);
+}
+
+// One that is cut off falls silent by itself; a pause that is short beside its silence has
+// swallowed no press of it. What a client sent right before it ended may not have been executed.
+TEST_P(StopAcross, OnlyALongPauseLosesAPress) {
+  const suture::ProvidedBase& stop = *coordinator_.provided().front();
+  const suture::ConnectedClient first("far:Panel/Stop", kSilence);
+  const suture::ConnectedClient second("far:Panel/Stop", kSilence);
+  coordinator_.onClient(stop, first, suture::ClientNews::Connected);
+  coordinator_.onClient(stop, second, suture::ClientNews::Connected);
+  pass(10ms);
+  desksProcess_.freeze();
+  pass(100ms);
+  desksProcess_.thaw();
+  pass(10ms);
+  coordinator_.onClient(stop, first, suture::ClientNews::Silent);
+  pass(10ms);
+  EXPECT_TRUE(coordinator_.permit().granted);
+  coordinator_.onClient(stop, second, suture::ClientNews::Closed);
   pass(10ms);
   EXPECT_FALSE(coordinator_.permit().granted);
 }

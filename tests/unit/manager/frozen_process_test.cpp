@@ -47,6 +47,7 @@ struct NotingArm final : PeriodicTask, StillArm {
 
   void onClient(const ProvidedBase&, const ConnectedClient& client, ClientNews news) override {
     EXPECT_EQ(client.name, "console:Teleop/Slave");
+    EXPECT_EQ(client.silence, kSilence);
     if (news == ClientNews::Connected) ++clients;
     if (news == ClientNews::Closed) ++closed;
     if (news == ClientNews::Silent) ++silent;

@@ -29,7 +29,8 @@ ChannelList::~ChannelList() {
 
 void ChannelList::add(std::shared_ptr<Channel> channel) {
   const std::string_view client = channel->clientName();
-  auto* node = new Node{std::move(channel), ConnectedClient(client)};
+  const Duration silence = channel->ends.silence;
+  auto* node = new Node{std::move(channel), ConnectedClient(client, silence)};
   Node* next = head_.load(std::memory_order_relaxed);
   do {
     node->next.store(next, std::memory_order_relaxed);

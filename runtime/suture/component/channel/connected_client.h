@@ -1,6 +1,8 @@
 #pragma once
 // A component learns this of the clients of its provided interfaces: Component::onClient().
 
+#include <suture/base/time.h>
+
 #include <cstdint>
 #include <string_view>
 
@@ -10,12 +12,16 @@ namespace suture {
 /// from when it is told of the client until it is told that the connection has ended; a connection
 /// that is made anew has another object.
 struct ConnectedClient {
-  explicit ConnectedClient(std::string_view interface) : name(interface) {}
+  ConnectedClient(std::string_view interface, Duration longestSilence)
+      : name(interface), silence(longestSilence) {}
   ConnectedClient(const ConnectedClient&) = delete;
   ConnectedClient& operator=(const ConnectedClient&) = delete;
 
   /// Names the required interface, with its process: "console:Teleop/Slave".
   const std::string_view name;
+  /// The client bears its provider's silence so long before it loses the connection; 0: for ever,
+  /// as one in the same process does, or it has not said how long.
+  const Duration silence;
 };
 
 enum class ClientNews : std::uint8_t {
