@@ -30,7 +30,7 @@ class ClientGone : public CrtkArmTest {
     EXPECT_NE(heard_.warnings[0].find("is gone"), std::string::npos) << heard_.warnings[0];
   }
 
-  const suture::ConnectedClient teleop_{"console:Teleop/Slave"}, gui_{"gui:Panel/Arm"};
+  const suture::ConnectedClient teleop_{"console:Teleop/Slave", 2s}, gui_{"gui:Panel/Arm", 2s};
 };
 
 TEST_F(ClientGone, EndsItsStreamAtOnceAsHold) {

@@ -196,7 +196,7 @@ TEST_F(JawTest, RefusesWhatIsNoGoal) {
 }
 
 TEST_F(JawTest, HoldsWhenItsClientIsGone) {
-  const suture::ConnectedClient teleop{"console:Teleop/Jaw"}, gui{"gui:Panel/Jaw"};
+  const suture::ConnectedClient teleop{"console:Teleop/Jaw", 2s}, gui{"gui:Panel/Jaw", 2s};
   arm_.commander = &teleop;
   jaw_.servo_jp(angle(1));
   jawCycles(1);
