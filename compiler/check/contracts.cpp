@@ -18,7 +18,8 @@ constexpr std::array<std::string_view, 7> kTakenFromCommands{"on",      "Events"
                                                              "EventId", "events_", "Required"};
 constexpr std::array<std::string_view, 3> kTakenFromEvents{"Events", "provided", "required"};
 
-/// `numbers` are the structs that have a member for each declaration of that kind.
+/// `numbers` names the structs that generated code gives a member for each such declaration. In C++
+/// no member may have the name of its struct.
 template <std::size_t N>
 void checkName(const std::string& what, const std::string& name,
                const std::array<std::string_view, N>& taken,

@@ -14,7 +14,7 @@ namespace suture::compiler::check::crtk {
 enum class Role {
   Query,   ///< measured_cp: a read without parameters
   Motion,  ///< servo_cp: it changes something, and the goal is its first parameter
-  Other,   ///< hold, state_command...: as the table of words says
+  Other,   ///< hold, enable: no rule says what they take or answer
 };
 
 /// Says what a value must consist of.
@@ -37,7 +37,8 @@ struct Meaning {
 };
 
 /// Says what CRTK means by a command's or event's name; returns none if it is not a CRTK name.
-/// "local_", "body_", "spatial_", "jaw_", "gripper_" and "actuators_" stand for its name spaces.
+/// A name may begin with one of CRTK's name spaces, which are "local_", "body_", "spatial_",
+/// "jaw_", "gripper_" and "actuators_", and means the same then.
 std::optional<Meaning> meaningOf(std::string_view name);
 
 /// Tells if a value of the type can be that payload, by the shapes of its fields.

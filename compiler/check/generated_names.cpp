@@ -35,10 +35,10 @@ class Structs {
   std::map<std::string, Entry> taken_;
 };
 
-void addOf(const model::Interface& interface, const model::Lookup& lookup, bool isOwn,
-           Structs& structs) {
+void addStructs(const model::Interface& interface, const model::Lookup& lookup, bool isOwn,
+                Structs& structs) {
   const std::string of = "' of contract '" + model::unqualified(interface.name) + "'";
-  std::set<std::string> names, commands, events;  // what clashes there is refused already
+  std::set<std::string> names, commands, events;  // other rules refuse what is in one twice
   for (const model::Command& command : interface.commands) {
     if (!command.inheritedFrom.empty() || command.parameters.empty()) continue;
     if (!names.insert(command.name).second || !commands.insert(command.wireName).second) continue;
@@ -58,10 +58,11 @@ void addOf(const model::Interface& interface, const model::Lookup& lookup, bool 
 void checkGeneratedNames(const model::Model& model, const model::Lookup& lookup,
                          model::Diagnostics& findings) {
   Structs structs(findings);
+  // The target's own headers come last, so that the finding is in one that the user can change.
   for (const bool own : {false, true}) {
     for (const model::Header& header : model.headers) {
       if (header.own != own) continue;
-      for (const model::Interface& one : header.interfaces) addOf(one, lookup, own, structs);
+      for (const model::Interface& one : header.interfaces) addStructs(one, lookup, own, structs);
     }
   }
 }

@@ -11,20 +11,20 @@
 namespace suture::compiler::check {
 namespace {
 
-/// Generated code specialises the runtime's templates inside namespace suture. There these
-/// namespaces of the runtime hide outer ones of the same name.
+/// Generated code specialises the runtime's templates inside namespace suture, where these inner
+/// namespaces of the runtime hide a user's of the same name.
 constexpr std::array<std::string_view, 4> kOfRuntime{"bounded", "detail", "rpc", "rt"};
 
-bool isOfName(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
+bool isInName(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
 /// Returns what the qualified names of a text begin with: "std" and "msgs" of
 /// "std::optional<msgs::Pose>".
 std::set<std::string> rootsOf(const std::string& text) {
   std::set<std::string> roots;
   for (std::size_t begin = 0; begin < text.size(); ++begin) {
-    if (!isOfName(text[begin])) continue;
+    if (!isInName(text[begin])) continue;
     std::size_t end = begin;
-    while (end < text.size() && isOfName(text[end])) ++end;
+    while (end < text.size() && isInName(text[end])) ++end;
     const bool isRoot = begin == 0 || text[begin - 1] != ':';
     if (isRoot && text.compare(end, 2, "::") == 0) roots.insert(text.substr(begin, end - begin));
     begin = end;
@@ -72,7 +72,7 @@ class Hidden {
   }
 
   std::string home_;
-  std::set<std::string> inner_;  // all parts of it but the first
+  std::set<std::string> inner_;  // the parts of `home_` but the first
   model::Diagnostics& findings_;
 };
 

@@ -20,7 +20,7 @@ struct Place {
 /// Tells if this level of the type can have any size, so that it needs a capacity().
 bool isSized(const model::Type& type);
 
-/// Tells if a capacity() that this level needs is missing. Zero counts as missing.
+/// Tells if this level lacks the capacity() that it needs. A capacity of zero is none.
 bool isOpen(const model::Type& type);
 
 /// Calls `visit` for the type and all it holds, outside in, until `visit` returns false; then

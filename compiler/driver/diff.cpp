@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 /// Prints why the question cannot be answered.
 void complain(const std::string& why) { std::cerr << "suturec diff: error: " << why << "\n"; }
 
-/// Reads a file, which is then the only one of the result, or all schemas below a folder.
+/// Reads all schemas below a folder, or one file, which has no path in the result. Returns none
+/// after it has said what cannot be read.
 std::optional<lock::Locks> readLocks(const std::string& path) {
   const bool isFolder = fs::is_directory(path);
   std::map<std::string, fs::path> files;
@@ -54,7 +55,8 @@ std::optional<lock::Locks> readLocks(const std::string& path) {
   return locks;
 }
 
-/// Returns the edits of each file; of a file that is gone, what no other one has.
+/// Returns the differences of each file. What moved to another file is told there: a file that is
+/// gone has only those of what is nowhere else.
 std::map<std::string, std::vector<lock::Difference>> compare(lock::Locks& old, lock::Locks& now) {
   const std::vector<lock::Move> moves = lock::movesBetween(old, now);
   old = lock::relocated(old, moves);
@@ -69,6 +71,7 @@ std::map<std::string, std::vector<lock::Difference>> compare(lock::Locks& old, l
   return result;
 }
 
+/// Prints the differences and what they mean for peers. Returns the exit status.
 int tell(const std::map<std::string, std::vector<lock::Difference>>& differences) {
   std::set<lock::Effect> effects;
   for (const auto& [path, all] : differences) {
@@ -104,7 +107,7 @@ int diff(std::vector<std::string> arguments) {
   app.add_option("old", old, "The schema of before, or the folder of all of them")->required();
   app.add_option("new", now, "The schema of now, or their folder")->required();
   try {
-    std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants it
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the end
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kCompatible : kNoAnswer;

@@ -1,6 +1,6 @@
 #pragma once
-// These write without disturbing: no file is left half-written, and a file whose text stays is not
-// touched.
+// These read and write files. No file is ever seen half-written, because each is written beside its
+// place and then renamed.
 
 #include <filesystem>
 #include <optional>
@@ -23,7 +23,8 @@ class NewFiles {
 
   /// Throws std::runtime_error naming the file that cannot be written.
   void add(const std::filesystem::path& path, const std::string& text);
-  /// Returns false if the file has this text already and is left alone.
+  /// Does the same, unless the file has this text already: then it returns false and leaves the
+  /// file, whose date would make a build do work for nothing.
   bool addIfChanged(const std::filesystem::path& path, const std::string& text);
   /// Throws std::runtime_error naming the file that cannot take its place.
   void place();
@@ -35,7 +36,8 @@ class NewFiles {
   std::vector<File> files_;
 };
 
-/// Writes one file whatever it holds already, so that its date is new.
+/// Writes one file whatever it holds already, so that its date is new. Throws std::runtime_error if
+/// it cannot.
 void writeText(const std::filesystem::path& path, const std::string& text);
 
 /// Returns a Make rule: `target` depends on the files.

@@ -11,7 +11,7 @@ int listOutputs() {
   std::vector<emit::Output> all = emit::outputs();
   all.push_back(emit::kPart);
   for (const emit::Output& output : all) std::cout << output.use << " " << output.suffix << "\n";
-  std::cout << "schema capnp\n";  // wire_schema.h
+  std::cout << "schema capnp\n";  // wireSchema() writes this one
   return 0;
 }
 

@@ -9,7 +9,8 @@
 namespace suture::compiler::emit {
 namespace {
 
-/// Names a parameter's value within store(), which must still be able to call itself.
+/// Names a parameter's value within store(). That calls other functions of its name, which a
+/// parameter called "store" would hide.
 std::string valueName(const model::Command& command, const model::Parameter& parameter) {
   return parameter.name == "store" ? freeName("store", command.parameters) : parameter.name;
 }
@@ -125,7 +126,7 @@ void emitPayload(Code& code, const Context& context, const model::Interface& int
   emitShift(code, payloadValues(event), payload.slot, context);
 }
 
-/// Calls `emit` for the commands and the events that have a slot of their own.
+/// Calls `emit` for each command that has a slot of its own for its parameters.
 template <class Emit>
 void forEachArguments(const Context& context, const model::Interface& interface, const Emit& emit) {
   for (const model::Command& command : interface.commands) {
@@ -134,6 +135,8 @@ void forEachArguments(const Context& context, const model::Interface& interface,
          relative(argumentsStruct(interface, command, context), context.header.cxxNamespace));
   }
 }
+
+/// Calls `emit` for each event of several values, which have a slot of their own together.
 template <class Emit>
 void forEachPayload(const model::Interface& interface, const Emit& emit) {
   for (const model::Event& event : interface.events) {
@@ -141,9 +144,9 @@ void forEachPayload(const model::Interface& interface, const Emit& emit) {
   }
 }
 
-/// Emits the numbers of what the contract declares itself, behind those of what it inherits. Clang
-/// would warn of an enumerator that has the name of something in the user's namespace, but does not
-/// of a member.
+/// Emits the numbers of what the contract declares itself, which follow those of what it inherits.
+/// They are members of a struct and not enumerators, because clang warns of an enumerator that
+/// hides a name in the user's namespace.
 template <class Declarations>
 void emitNumbers(Code& code, const std::string& contract, const char* kind, const std::string& doc,
                  const Declarations& own, std::size_t inherited) {
@@ -157,7 +160,7 @@ void emitNumbers(Code& code, const std::string& contract, const char* kind, cons
   code.close("};").blank();
 }
 
-/// Returns "the events of Arm, behind those that it inherits".
+/// Returns "the events of Arm", and ", behind those that it inherits" if there are such.
 std::string numbered(const std::string& contract, const char* plural, std::size_t inherited) {
   return std::string("the ") + plural + " of " + contract +
          (inherited == 0 ? "" : ", behind those that it inherits");

@@ -100,7 +100,7 @@ void emitReserved(Code& code, const Context& context, const model::Interface& in
 void emitExecute(Code& code, const Context& context, const model::Interface& interface) {
   const std::vector<const model::Command*> own = ownCommands(interface);
   const bool derives = !interface.base.empty();
-  if (derives && own.empty()) return;  // then the base's is right
+  if (derives && own.empty()) return;  // the base's execute() does it
   if (!own.empty()) emitFunctions(code, context, interface);
   const bool any = !own.empty();
   bool takes = derives;
