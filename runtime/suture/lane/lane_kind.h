@@ -25,7 +25,7 @@ namespace suture {
 struct LaneSocket {
   std::uint32_t number = 0;  ///< both processes number it so
   net::ByteStream bytes;
-  /// Counts what the peer has begun to send; null: it was called.
+  /// Counts what the peer has begun to send. It is null in the process that opened the socket.
   std::unique_ptr<framing::PeerBudget::Share> share = nullptr;
 };
 
@@ -33,7 +33,7 @@ struct LaneSocket {
 class ClientSession {
  public:
   virtual loop::ControlThread& control() = 0;
-  /// True if the control link is a Unix socket, so that both processes are on one machine.
+  /// Returns true if the control link is a Unix socket, so that both processes are on one machine.
   virtual bool carriesDescriptors() const = 0;
   /// Returns true if both processes have one steady clock.
   virtual bool hasOneClock() const = 0;
@@ -48,10 +48,10 @@ class ClientSession {
 struct OutgoingConnection {
   const InterfaceInfo& contract;  ///< the client's
   Channel::Terms terms;           ///< to which the provider adds when it accepts
-  EventSet events = 0;            ///< that the client wants
+  EventSet events = 0;            ///< those that the client wants
   std::shared_ptr<rt::Doorbell> client;
   std::shared_ptr<const PeerState> peer = nullptr;
-  Duration silence{0};     ///< that the client bears
+  Duration silence{0};     ///< the longest that the client bears
   std::uint32_t rows = 0;  ///< how many the provider keeps, once it has accepted
 };
 
@@ -65,9 +65,10 @@ struct OpenedEnd {
 class LaneAttempt {
  public:
   virtual ~LaneAttempt() noexcept(false) = default;
-  /// Tells the provider's end of the lane what that needs.
+  /// Writes into `out` what the provider's end of the lane needs to know.
   virtual void request(capnp::AnyPointer::Builder out) = 0;
-  /// The provider has accepted `connection`. Rejects with the reason if it cannot be had after all.
+  /// Makes the client's end of `connection`, which the provider has accepted with `answer`. Rejects
+  /// with the reason if it cannot.
   virtual kj::Promise<OpenedEnd> open(OutgoingConnection connection,
                                       capnp::AnyPointer::Reader answer) = 0;
 };
@@ -103,11 +104,11 @@ struct IncomingConnection {
   /// perhaps of another version.
   const InterfaceInfo& contract;
   Channel::Terms terms;
-  EventSet events = 0;                     ///< that the client wants, as this process numbers them
+  EventSet events = 0;                     ///< those that the client wants, in our numbers
   std::shared_ptr<rt::Doorbell> provider;  ///< the thread that serves it waits there
   bool readOnly = false;                   ///< the client may give no commands
   std::shared_ptr<const PeerState> peer = nullptr;
-  Duration silence{0};  ///< that the client bears; 0: it does not say
+  Duration silence{0};  ///< the longest that the client bears; 0: it does not say
 };
 
 /// Holds a provider's end that has been made. Its channel is not attached to the provider yet.
@@ -120,9 +121,10 @@ struct AcceptedEnd {
 class LaneServer {
  public:
   virtual ~LaneServer() noexcept(false) = default;
-  /// Makes the provider's end, and tells the client's what that needs. Throws SetupError, or
-  /// rejects, with the reason if the connection cannot use this lane; as Type::OVERLOADED if it
-  /// could but for something that went wrong, which the operators of both processes are told.
+  /// Makes the provider's end. `brings` is what the client's end asked for by request(), and
+  /// `answer` takes what that needs to know. Throws SetupError, or rejects, with the reason if the
+  /// connection cannot use this lane. Rejects as Type::OVERLOADED if it could, but something went
+  /// wrong; then the operators of both processes are told.
   virtual kj::Promise<AcceptedEnd> accept(IncomingConnection connection,
                                           capnp::AnyPointer::Reader brings,
                                           capnp::AnyPointer::Builder answer) = 0;
@@ -134,8 +136,8 @@ class LaneServer {
   virtual void opened(LaneSocket socket) = 0;
 };
 
-/// Everything here belongs to the control thread, and outlives the sessions. It is a way for
-/// connections to travel between two processes.
+/// Belongs to the control thread, except where a comment says otherwise, and outlives the sessions.
+/// A LaneKind is a way for connections to travel between two processes.
 class LaneKind {
  public:
   virtual ~LaneKind() noexcept(false) = default;
@@ -148,7 +150,7 @@ class LaneKind {
   }
   virtual kj::Own<LaneClient> makeClient(ClientSession& session) = 0;
   virtual kj::Own<LaneServer> makeServer(ServerSession& session) = 0;
-  /// The thread that made it, after the last session: it rings no thread any more.
+  /// The thread that made it, after the last session. From then on it rings no thread.
   virtual void stop() {}
 };
 

@@ -1,6 +1,7 @@
 #include <suture/lane/provider_end.h>
 
 namespace suture {
+
 Earlier ProviderEnd::earlier() {
   const Earlier earlier = channel_->terms.ledger->before(*channel_);
   earlierTold_ = earlier.ended;

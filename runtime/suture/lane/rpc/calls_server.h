@@ -1,5 +1,5 @@
 #pragma once
-// This is the lane of calls in the provider's process.
+// This is the rpc lane in the provider's process.
 
 #include <suture/calls.capnp.h>
 #include <suture/framing/link.h>
@@ -11,15 +11,19 @@
 
 namespace suture::rpc {
 
-/// Returns the provider's channel of a connection by calls.
+/// Returns a channel for a connection over the rpc lane. Its client doorbell is the control
+/// thread's.
 std::shared_ptr<Channel> callsChannel(loop::ControlThread& control,
                                       const IncomingConnection& connection);
 
-/// Serves it; the calls that are counted come by the link that has `counters`.
+/// Returns the port that serves a channel of callsChannel(). `counters` are those of the link by
+/// which its calls come.
 kj::Own<ServantPort> serveCalls(loop::ControlThread& control, const IncomingConnection& connection,
                                 std::shared_ptr<Channel> channel,
                                 std::shared_ptr<const framing::LinkCounters> counters);
 
+/// A CallsServer belongs to the control thread. Its client asks on one of its sockets for the
+/// contract of a connection, and calls that.
 class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
  public:
   explicit CallsServer(ServerSession& session) : session_(session), tasks_(*this) {}
@@ -32,7 +36,7 @@ class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
   void opened(LaneSocket socket) override;
 
  private:
-  /// This is a connection of one socket, until its client asks for the contract.
+  /// Holds a connection that was accepted on a socket, until its client asks for the contract.
   struct Offered {
     std::shared_ptr<Channel> channel;
     kj::Own<ServantPort> port;
@@ -48,7 +52,7 @@ class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
 
   ServerSession& session_;
   std::map<std::uint32_t, Socket> sockets_;  // by number
-  std::uint32_t latest_ = 0;                 // the latest connection
+  std::uint32_t latest_ = 0;                 // the number of the latest connection
   kj::TaskSet tasks_;                        // last: cancelled first
 };
 

@@ -46,13 +46,13 @@ class ServantPort final : public ProviderEnd,
   /// Sends `counts` the outcomes of the commands from now on, unless the connection is over.
   void tellCounts(wire::CommandCounts::Client counts);
   const InterfaceInfo& info() const { return channel_->info; }
-  /// Handles a call of command `command`. A void or write command returns when the provider has
-  /// taken it, or executed it if the sender asked for an answer; all others when the provider has
-  /// answered.
+  /// Handles a call of command `command`. A void or write command whose sender asked for no answer
+  /// returns when its credit goes back, or at once if it uses none; all others return when the
+  /// provider has answered.
   kj::Promise<void> command(std::uint16_t command, AnyCall call);
 
-  /// Replaces the subscription, unless the connection is over. Events that it did not have join it
-  /// in any case.
+  /// Replaces the subscription, unless the connection is over. Events that the old one did not have
+  /// count as joining, whatever `interest` says.
   void subscribe(Subscriber subscriber, Interest interest);
 
  private:
@@ -97,7 +97,7 @@ class ServantPort final : public ProviderEnd,
   const std::shared_ptr<const framing::LinkCounters> counters_;
 
   std::vector<std::deque<Taken>> taken_;  // by command: calls that use a credit, oldest first;
-                                          // null: one that does not wait for it
+                                          // null if the call returns with its answer instead
   std::vector<PendingCall> calls_;        // as many as the channel has memory for answers
   std::uint32_t callsOpened_ = 0;
 

@@ -5,7 +5,7 @@
 namespace suture::shm {
 namespace {
 
-// Limits the state table of another process; it is mapped, not copied.
+// These bound the state table that a provider in another process lets us map.
 constexpr std::size_t kMostStateBytes = std::size_t{1} << 30;
 constexpr std::uint32_t kMostRows = 1u << 20;
 constexpr unsigned kMostColumns = 64;
