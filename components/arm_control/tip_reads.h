@@ -13,8 +13,9 @@
 
 namespace robots {
 
-/// One thread. Only the constructor allocates. Twists and forces along the axes of the reference
-/// frame are those of the base, rotated.
+/// One thread. Only the constructor allocates. Units are m, rad, s, N and Nm. The arm computes
+/// twists and forces along the axes of its base, and these are rotated to those of the reference
+/// frame.
 template <int N>
 class TipReads {
  public:
@@ -28,11 +29,11 @@ class TipReads {
   /// Names another base frame.
   void nameBase(suture::FrameId base) { spatialCf_.reference_frame = base; }
 
-  /// Takes what the drives measured. `tip` is where that is, in the base's frame, and `base` is
-  /// where the base is, in the reference frame.
+  /// Takes what the drives measured. `tip` is the pose that the tip has by that, in the frame of
+  /// the base, and `base` is the pose of the base in the reference frame.
   void measured(const DriveReading<N>& reading, const PoseStamped& tip,
                 const Eigen::Isometry3d& base);
-  /// Takes where the set-point is and how fast it moves, which is told as of `now`.
+  /// Takes the set-point and how fast it moves. setpoint_cv() has the stamp `now`.
   void asked(const Joints& setpoint, const Joints& rate, const Eigen::Isometry3d& base,
              suture::Time now, bool valid);
 

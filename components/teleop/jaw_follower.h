@@ -19,7 +19,8 @@ namespace robots {
 /// declared after them. Does nothing in a deployment that does not connect both.
 class JawFollower {
  public:
-  /// While data are older than `maxAge` the jaw stays where it is; then following begins anew.
+  /// While the data of the gripper or of the jaw are older than `maxAge`, the jaw stays where it
+  /// is. Following begins anew with fresh ones.
   JawFollower(suture::Required<Gripper>& gripper, suture::Required<Jaw>& jaw,
               const JawSettings& settings, suture::Duration maxAge)
       : gripper_(gripper), jaw_(jaw), settings_(settings), maxAge_(maxAge) {
@@ -55,7 +56,7 @@ class JawFollower {
   suture::Required<Jaw>& jaw_;
   const JawSettings settings_;
   const suture::Duration maxAge_;
-  JointState gripperState_, jawState_;  // keep their memory
+  JointState gripperState_, jawState_;  // members, so that reads allocate nothing
   JointGoal goal_;
   std::optional<JawLaw> law_;
   std::optional<suture::Time> last_;  // the last cycle in which it followed
