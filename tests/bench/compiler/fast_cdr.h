@@ -1,5 +1,5 @@
 #pragma once
-// This sends the same record through the serializer of Fast DDS, the rival of the figures.
+// This measures the serializer of Fast DDS with the same record, to compare ours with it.
 
 #include <cstddef>
 #include <optional>

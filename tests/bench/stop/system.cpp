@@ -83,18 +83,19 @@ void StopSystem::connectWatchers(const suture::Lane& lane) {
   }
 }
 
+/// Throws SetupError if there are no `what` after 10 s.
 template <class Condition>
 void StopSystem::await(const char* what, const Condition& condition) const {
   const Time deadline = now() + 10s;
   while (!condition()) {
     if (now() > deadline) {
-      throw suture::SetupError(what, "they are not so after 10 s", "Run it again");
+      throw suture::SetupError(what, "this was not so after 10 s", "Run it again");
     }
     std::this_thread::sleep_for(500us);
   }
 }
 
-/// Asks again, for an arm refuses until it has seen that its drives may have power.
+/// Asks again and again, because an arm refuses until it has seen that its drives may have power.
 void StopSystem::enableAll() {
   await("drives that may have power", [this] { return watch_.all(DrivePower::Off); });
   Time asked{};

@@ -10,8 +10,8 @@ namespace bench {
 /// A SocketPair holds the descriptors of two connected, blocking stream sockets.
 using SocketPair = std::array<int, 2>;
 
-/// Connects them, over the loopback if it is TCP, with each send leaving at once. Throws
-/// SetupError.
+/// Connects a pair, TCP over the loopback and with TCP_NODELAY. Takes Tls for Unix, because a bare
+/// socket has none. Throws SetupError. The caller closes both.
 SocketPair connectedSockets(Transport transport);
 
 }  // namespace bench

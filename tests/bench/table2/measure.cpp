@@ -22,7 +22,8 @@ namespace {
 
 using suture::SetupError;
 
-/// Waits for all samples: the periods that they take, and some more.
+/// Waits for all samples, for three times the periods that they take and 30 s. Throws SetupError if
+/// they do not come.
 void await(std::future<void> finished, const LoopSetup& setup) {
   const auto limit = 3 * setup.period * setup.total() + std::chrono::seconds(30);
   if (finished.wait_for(limit) == std::future_status::ready) return;
@@ -67,7 +68,7 @@ void requireLane(const std::string& lane, const LoopResult& result) {
                    "The figures would not be those of a network");
 }
 
-/// Stretches the cable once that process has a namespace of its own.
+/// Stretches the cable to `server` once that process has a network namespace of its own.
 void stretch(const suture::Cable& cable, pid_t server) {
   const std::string ours = suture::Cable::namespaceOf("thread-self");
   const suture::Time limit = suture::now() + std::chrono::seconds(10);

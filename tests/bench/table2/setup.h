@@ -20,21 +20,21 @@ enum class Pace {
   Periodic,     ///< both tasks run once a period, as in the paper
   EventDriven,  ///< both tasks sleep until something arrives; SCS uses fresh() and a blocking write
 };
-enum class Transport { Unix, Tcp, Tls };  ///< Tls: of suture-bench network only
+enum class Transport { Unix, Tcp, Tls };  ///< only suture-bench network measures Tls
 
 /// This is what lies between the two processes of a loop.
 struct Between {
   suture::Lane lane = suture::Lane::Rpc;
   Transport transport = Transport::Unix;
-  bool namespaces = false;  ///< two of the network, with a cable from one to the other
+  bool namespaces = false;  ///< each process has one of the network, and a cable joins them
 };
 
 struct LoopSetup {
   Loop loop = Loop::Scs;
   Pace pace = Pace::Periodic;
   suture::Duration period = std::chrono::milliseconds(1);
-  suture::rt::Scheduling scheduling{};  ///< both tasks'; other threads keep to its processor
-  std::size_t skip = 1000;
+  suture::rt::Scheduling scheduling{};  ///< of both tasks; the other threads share its processor
+  std::size_t skip = 1000;              ///< rounds before those that are measured
   std::size_t samples = 10000;
 
   std::size_t total() const { return skip + samples; }

@@ -1,12 +1,14 @@
 #pragma once
-// The pose and the blob become what the IDL compiler of Cyclone DDS made of them, and back.
+// These turn the pose and the blob into the types that Cyclone DDS's IDL compiler wrote for them,
+// and back.
 
 #include "harness/pose.h"
 #include "rivals/cyclone_node.h"
 
 namespace peers::cyclone {
 
-/// Strings and numbers are lent, for the writer serializes at once.
+/// The result points into the value, which must outlive it. That is enough for a writer, because it
+/// serializes at once.
 peersdds_Pose viewOf(const Pose& pose);
 peersdds_Blob viewOf(const Blob& blob);
 

@@ -1,6 +1,6 @@
 #pragma once
-// This turns a pose into bytes by what suturec writes, and back. Users do not call that: their
-// calls and events do.
+// This turns a pose into bytes and back by the code that suturec writes. Users do not call that
+// code: their calls and events do.
 
 #include <capnp/common.h>
 
