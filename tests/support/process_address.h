@@ -12,6 +12,8 @@
 
 namespace suture {
 
+/// Returns the first address of `process`, which must have registered with the manager there or do
+/// so within kPatience. Throws ControlFailure if it does not.
 inline std::string addressOf(const std::string& manager, const std::string& process,
                              const net::Trust& trust = {}) {
   loop::ControlThread control;

@@ -6,8 +6,8 @@
 
 namespace suture {
 
-/// While one exists, this process can make no file longer than `bytes`: write() fails there, as on
-/// a disk that is full, but for another reason.
+/// While one exists, this process can make no file longer than `bytes`. write() fails there as on a
+/// full disk, but with another reason.
 class SmallFiles {
  public:
   explicit SmallFiles(rlim_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) { limit(bytes); }

@@ -10,9 +10,9 @@
 
 namespace suture {
 
-/// A problem fails the test. Threads run together if the environment says
-/// SUTURE_TEST_THREADS=together, as ThreadSanitizer needs them. SUTURE_TEST_SEED chooses another
-/// order of threads that are due at one moment; the tests must pass with each.
+/// Returns the options of every test's clock. A problem fails the test. Threads run together if the
+/// environment says SUTURE_TEST_THREADS=together, as ThreadSanitizer needs them. SUTURE_TEST_SEED
+/// chooses another order of threads that are due at one moment; the tests must pass with each.
 inline TestClockOptions steppedOptions() {
   const char* const threads = std::getenv("SUTURE_TEST_THREADS");
   const bool together = threads != nullptr && threads == std::string_view("together");

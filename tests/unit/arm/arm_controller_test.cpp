@@ -1,4 +1,5 @@
-// These call an arm directly: readiness, motion, refusal, what it announces.
+// These tests call an arm directly. They check when it is ready, how it moves, what it refuses and
+// what it announces.
 
 #include <gtest/gtest.h>
 
@@ -88,7 +89,7 @@ TEST_F(ArmControllerTest, AServoStreamEndsAsHold) {
     heard_ = {};
     cycles(200);
     EXPECT_EQ(arm_.operating_state().sub_state, "holding") << "after " << activity;
-    EXPECT_EQ(heard_.states.size(), 1u) << "told once";
+    EXPECT_EQ(heard_.states.size(), 1u) << "it is told once";
     EXPECT_EQ(Joints(Joints::Map(arm_.setpoint_js().position.data())), before);
   };
   const PoseStamped pose = goalAt({0.001, 0, 0});
@@ -135,7 +136,7 @@ TEST_F(ArmControllerTest, ServoCpLagsByTheTimeConstant) {
   const PoseStamped start = arm_.measured_cp();
   const PoseStamped goal = goalAt({0.001, 0, 0});
   arm_.servo_cp(goal);
-  cycles(1);  // from here on the set-point acts
+  cycles(1);  // the joints follow the set-point from the next cycle on
   EXPECT_EQ(arm_.setpoint_cp().stamp, goal.stamp);
   EXPECT_LT(kinematics::poseError(arm_.setpoint_cp().pose, goal.pose).norm(), 1e-8);
   EXPECT_LT(kinematics::poseError(arm_.measured_cp().pose, start.pose).norm(), 1e-8);

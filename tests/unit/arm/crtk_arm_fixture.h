@@ -43,7 +43,7 @@ struct HeardOfArm : Deaf {
   }
 };
 
-/// Obeys the commander that the test sets.
+/// Takes each command as one of the client that the test sets.
 struct CommandedArm final : ArmController<6> {
   using ArmController::ArmController;
   const suture::ConnectedClient* commander = nullptr;
@@ -91,7 +91,7 @@ class CrtkArmTest : public testing::Test {
     base.valid = true;
     return base;
   }
-  /// The arm refuses each Cartesian command, and says so once, but obeys joints.
+  /// Expects the arm to refuse each Cartesian command and to say so once, but to obey joint goals.
   void expectTipRefused(ArmWarning reason) {
     const std::vector<double> before = positions();
     for (const auto& [name, command] : tipCommands()) {
@@ -114,7 +114,8 @@ class CrtkArmTest : public testing::Test {
   }
 
   using Command = std::pair<const char*, std::function<void()>>;
-  /// Each would move the tip a little, or leave it where it shall be.
+  /// Returns all Cartesian commands. Each would move the tip a little, or keep it where it is asked
+  /// to be already.
   std::vector<Command> tipCommands() {
     const PoseStamped there = crtk_.setpoint_cp(), small = step({0, 0, 1e-4});
     TwistGoal twist;

@@ -99,8 +99,8 @@ TEST_F(CrtkStreamsTest, AVelocityKeepsToItsAccelerations) {
   EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
   EXPECT_NEAR(travel(goal, 10), 1e-3, 1e-9);
   goal.goal[0] = -0.1;
-  EXPECT_NEAR(travel(goal, 20), 0.95e-3, 1e-9) << "20 ms until it stands";
-  EXPECT_NEAR(travel(goal, 10), -0.55e-3, 1e-9) << "and back";
+  EXPECT_NEAR(travel(goal, 20), 0.95e-3, 1e-9) << "it stands after 20 ms";
+  EXPECT_NEAR(travel(goal, 10), -0.55e-3, 1e-9) << "then it comes back";
 }
 
 TEST_F(CrtkStreamsTest, ATurningVelocityKeepsItsAcceleration) {
@@ -110,7 +110,8 @@ TEST_F(CrtkStreamsTest, ATurningVelocityKeepsItsAcceleration) {
   goal.acceleration.assign(6, 10.0);
   EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
   goal.goal[0] = -0.1;
-  EXPECT_NEAR(travel(goal, 10), -0.55e-3, 1e-9) << "it stands at once, and no more";
+  EXPECT_NEAR(travel(goal, 10), -0.55e-3, 1e-9)
+      << "it stops within one cycle, and then speeds up by the bound";
 }
 
 TEST_F(CrtkStreamsTest, ANewStreamBeginsFromRest) {
@@ -119,7 +120,7 @@ TEST_F(CrtkStreamsTest, ANewStreamBeginsFromRest) {
   goal.goal[0] = 0.1;
   goal.acceleration.assign(6, 10.0);
   travel(goal, 20);
-  crtk_.hold();  // it and the next goal arrive for one cycle
+  crtk_.hold();  // one cycle takes this and the next goal
   EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
 }
 
@@ -139,7 +140,7 @@ TEST_F(CrtkStreamsTest, AnUnreachableTwistIsReportedOnce) {
     }
   };
   follow(away);
-  EXPECT_EQ(heard_.codes, std::vector{ArmWarning::OutOfReach}) << "once";
+  EXPECT_EQ(heard_.codes, std::vector{ArmWarning::OutOfReach}) << "it is told once";
   EXPECT_EQ(positions(), before);
   follow({});
   EXPECT_EQ(heard_.codes.size(), 1u);
@@ -153,14 +154,14 @@ TEST_F(CrtkStreamsTest, NewAxesDoNotTurnTheSpeed) {
   base.valid = true;
   crtk_.set_base_frame(base);
   cycles(1);
-  WrenchGoal push;  // along the base's axes
+  WrenchGoal push;  // it acts along the base's axes
   push.force.x() = 5;
   for (int i = 0; i < 20; ++i) {
     crtk_.spatial_servo_cf(push);
     cycles(1);
   }
   const PoseStamped before = crtk_.setpoint_cp();
-  TwistGoal stand;  // along those of the reference frame, which point elsewhere
+  TwistGoal stand;  // it is along the axes of the reference frame, which point elsewhere
   stand.linear_acceleration = {0.1, 0.1, 0.1};
   crtk_.servo_cv(stand);
   cycles(1);

@@ -1,4 +1,4 @@
-// An arm whose drives have no power, may not have it, or say nothing.
+// These tests are of an arm whose drives have no power, may not have it, or say nothing.
 #include <gtest/gtest.h>
 
 #include <string>

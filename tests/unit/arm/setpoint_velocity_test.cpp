@@ -22,9 +22,9 @@ class SetpointVelocityTest : public CrtkArmTest {
     cycles(1);
   }
 
-  static constexpr int kBegun = 12;  // cycles: goals that come slowly are a stream from then on
+  static constexpr int kBegun = 12;  // cycles, after which slow goals have become a stream
 
-  /// Compares the velocity with how far set-point and tip come in each of some cycles.
+  /// Compares setpoint_cv with how far setpoint_cp moves and turns in each of 60 cycles.
   void expectIsThatOfTheSetpoint(const char* what, const std::function<void()>& follow) {
     Eigen::Isometry3d before = crtk_.setpoint_cp().pose;
     double fastest = 0;

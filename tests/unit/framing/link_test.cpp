@@ -62,7 +62,7 @@ TEST_P(LinkTest, CallsReturnWhatTheySent) {
   EXPECT_GT(link->counters()->receivedBytes, 1u << 20);
 }
 
-TEST_P(LinkTest, ManyCallsInFlight) {
+TEST_P(LinkTest, ManyCallsAtOnceReturn) {
   serve();
   auto link = connect();
   auto client = link->bootstrap<Echo>();

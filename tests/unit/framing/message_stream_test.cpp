@@ -19,7 +19,7 @@ namespace {
 
 class MessageStreamTest : public StreamAndPeer {
  protected:
-  /// The peer is bounded to so many bytes of unfinished messages.
+  /// Opens a stream whose peer may have this many bytes in unfinished messages.
   void openBounded(std::size_t bytes) {
     budget_ = std::make_shared<PeerBudget>(PeerBudget::Limits{.peer = bytes, .process = bytes});
     open({}, {.known = nullptr, .share = std::make_unique<PeerBudget::Share>(budget_, "the peer")});
@@ -102,7 +102,7 @@ TEST_F(MessageStreamTest, AnIdleConnectionMayStaySilent) {
   auto reading = read();
   const auto idle = kj::mv(stream_);
   const auto idlePeer = kj::mv(peer_);
-  // Time goes on until a later one, which has said nothing, has met that deadline.
+  // A later stream has the same deadline. Once it has ended, the deadline of the first has passed.
   open({.partialMilliseconds = 1, .firstMilliseconds = 1});
   EXPECT_EQ(nextFault(), kSilent);
   EXPECT_FALSE(reading.poll(port_.scope()));
@@ -132,7 +132,7 @@ TEST_F(MessageStreamTest, ACloseWhileWaitingIsTheEnd) {
   EXPECT_TRUE(reading.wait(port_.scope()) == nullptr);
 }
 
-TEST_F(MessageStreamTest, ManyMessagesInOneSegment) {
+TEST_F(MessageStreamTest, ManyMessagesArriveInOneSegment) {
   open();
   std::vector<std::byte> bytes;
   for (std::size_t i = 1; i <= 100; ++i) {
@@ -143,7 +143,7 @@ TEST_F(MessageStreamTest, ManyMessagesInOneSegment) {
   for (std::int64_t i = 1; i <= 100; ++i) EXPECT_EQ(nextBlob(), i);
 }
 
-TEST_F(MessageStreamTest, OneByteAtATime) {
+TEST_F(MessageStreamTest, AMessageArrivesByteByByte) {
   open();
   const auto frame = blobFrame(100);
   auto reading = bounded(read());
@@ -173,7 +173,7 @@ TEST_F(MessageStreamTest, ALargeMessageArrivesWhole) {
   EXPECT_EQ(sender.counters()->sentBytes, stream_->counters()->receivedBytes);
 }
 
-// This holds wherever one receive ends: in a header, in a long message, or behind it.
+// A receive may end anywhere: in a header, in a long message, or behind it.
 TEST_F(MessageStreamTest, ShortMessagesArriveAroundALongOne) {
   for (const std::size_t piece : {7, 4'099, 65'537, 1'000'000}) {
     open();

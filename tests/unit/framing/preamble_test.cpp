@@ -1,4 +1,5 @@
-// The first bytes of a second connection are read in time, and written to a peer that takes it.
+// Each end of a second connection says in time why the other neither sends nor takes its first
+// bytes.
 
 #include <gtest/gtest.h>
 #include <suture/framing/preamble.h>
@@ -12,7 +13,7 @@
 namespace suture::framing {
 namespace {
 
-TEST(Preamble, APeerThatIsGoneTakesNone) {
+TEST(Preamble, APeerThatIsGoneTakesNothing) {
   loop::EventPort port;
   auto pair = makeSocketPair();
   pair.theirs = nullptr;
@@ -21,7 +22,7 @@ TEST(Preamble, APeerThatIsGoneTakesNone) {
   EXPECT_TRUE(contains(error, "the second connection takes nothing")) << error;
 }
 
-TEST(Preamble, ASilentPeerIsToldAsOne) {
+TEST(Preamble, ASilentPeerIsReported) {
   loop::EventPort port;
   auto pair = makeSocketPair();
   const std::string error = refusal([&] {

@@ -1,4 +1,4 @@
-// These links are between processes that can prove who they are, and processes that cannot.
+// These tests make links between processes of which some can prove who they are and some cannot.
 
 #include <gtest/gtest.h>
 #include <suture/framing/link_server.h>
@@ -29,7 +29,7 @@ class SecureLinkTest : public testing::Test {
  public:
   SecureLinkTest() {
     tls::makeKeys(keys_, {"server", "client"});
-    // Long enough for a slow machine; the tests wait for what happens then.
+    // A slow machine keeps these deadlines, and the tests that wait for them to pass are fast.
     limits_.handshakeMilliseconds = 1000;
     limits_.helloMilliseconds = 1000;
   }
@@ -121,7 +121,7 @@ TEST_F(SecureLinkTest, CallsOfAnySizeReturn) {
   EXPECT_EQ(last_.process, "client");
 }
 
-TEST_F(SecureLinkTest, ManyCallsInFlight) {
+TEST_F(SecureLinkTest, ManyCallsAtOnceReturn) {
   serveTls();
   auto link = connect(trustOf("client"));
   auto client = link->bootstrap<Echo>();
@@ -131,7 +131,7 @@ TEST_F(SecureLinkTest, ManyCallsInFlight) {
   for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(sizes[i], i * 37);
 }
 
-TEST_F(SecureLinkTest, AnotherProcessThanIsExpectedIsLeft) {
+TEST_F(SecureLinkTest, AnUnexpectedProcessGetsNoLink) {
   serveTls();
   const std::string fault = reachFault(server_->address(), trustOf("client"), "PSM");
   EXPECT_TRUE(contains(fault, "it has the certificate of process 'server', and 'PSM' is expected"))
@@ -195,7 +195,7 @@ TEST_F(SecureLinkTest, HalfAHandshakeEndsInTime) {
   }
   const Time begin = now();
   for (const auto& socket : held) EXPECT_TRUE(closes(port_, socket));
-  EXPECT_GE(now() - begin, 900ms) << "not for another reason";
+  EXPECT_GE(now() - begin, 900ms) << "they were closed for another reason";
   EXPECT_EQ(echoed(*connect(trustOf("client")), 1), 1u) << "their places are free again";
 }
 
@@ -205,7 +205,7 @@ TEST_F(SecureLinkTest, LeakedLinksShutOutNoOther) {
   std::vector<kj::Own<Link>> leaked;
   for (int i = 0; i < 30; ++i) leaked.push_back(connect(trustOf("client")));
   EXPECT_EQ(echoed(*leaked[1], 1), 1u);
-  EXPECT_EQ(echoed(*connect(trustOf("server")), 1), 1u) << "which is another peer";
+  EXPECT_EQ(echoed(*connect(trustOf("server")), 1), 1u) << "another peer has places of its own";
   EXPECT_EQ(callFault(*leaked[2]),
             "talk to " + server_->address().text() +
                 ": 2 of its links are with process 'client', and no peer has more. End some of "
@@ -233,7 +233,7 @@ TEST_F(SecureLinkTest, ASilentPeerIsClosedAfterHandshake) {
   knows_ = false;
   serveTls();
   auto link = connect(trustOf("client"));
-  EXPECT_EQ(echoed(*link, 1), 1u);  // a message, but not what it wants
+  EXPECT_EQ(echoed(*link, 1), 1u);  // this does not say who the peer is
   EXPECT_TRUE(closesSoon(*link));
   EXPECT_NE(callFault(*link), "answered");
   const std::string told = refusals_.summary().latest;

@@ -21,7 +21,8 @@ constexpr Duration kSilence = 2s;
 class SuspendedMachine : public WaitingCommands {
  protected:
   static void suspend(Duration duration) { clockOfTest().suspend(duration); }
-  /// Lets the arm be in one long cycle while the commands arrive, at whose end the machine sleeps.
+  /// Keeps the arm in one long cycle while the commands arrive. The machine sleeps at the end of
+  /// that cycle, before the arm executes them.
   void sleepBeforeTheDrain(SlowArm& arm, std::initializer_list<Duration> sleeps) {
     client_.wanted = 0;
     arm.inRun = [this, &arm, sleeps = std::vector<Duration>(sleeps)] {
@@ -73,8 +74,8 @@ TEST_P(SuspendedMachine, LeavesCommandsThatBearIt) {
   EXPECT_EQ(late_, 0u);
 }
 
-// Nothing tells apart what was sent just before a sleep and just after it, so the cycle that
-// notices the sleep takes what it finds for old.
+// A command that was sent just before a sleep looks like one that was sent just after it, so the
+// cycle that notices the sleep takes all that it finds for old.
 TEST_P(SuspendedMachine, LeavesCommandsSentAfterItWasNoticed) {
   int calls = 0;
   SlowArm arm([&calls] {
@@ -94,7 +95,7 @@ TEST_P(SuspendedMachine, LeavesCommandsSentAfterItWasNoticed) {
   EXPECT_EQ(late_, 1u);
 }
 
-// Nothing of the old connection runs: its client takes the provider for lost.
+// The client takes the provider for lost after such a sleep, so none of its commands may run.
 TEST_P(SuspendedRemotely, EndsTheLeaseBeforeTheDrain) {
   SlowArm arm([] {});
   sleepBeforeTheDrain(arm, {kSilence});
