@@ -12,7 +12,8 @@
 namespace suture::compiler::driver {
 namespace {
 
-// What stands behind "--", on the command line or in a response file, goes to clang.
+// Holds the two parts of the arguments: what stands behind "--", on the command line or in a
+// response file, goes to clang.
 struct Split {
   std::vector<std::string> own, clang;
 
@@ -78,16 +79,16 @@ void declare(CLI::App& app, Options& options) {
          [&options](const std::vector<std::string>& all) {
            for (const std::string& one : all) options.sources.insert(sourcesOf(one));
          },
-         "HEADER=N: so many sources of each kind for a big header, by its path")
+         "HEADER=N: write N sources of each kind for a big header, named by its path")
       ->allow_extra_args(false);
   app.add_option("--depfile", options.depfile, "Make rule that lists every file read");
   app.add_option("--stamp", options.stamp, "File touched after a run without errors");
   app.add_option("--resource-dir", options.resourceDirectory, "Clang's own headers");
   app.add_option("--project", options.project, "Owner of new wire ids");
   app.add_option("--lock-command", options.lockCommand,
-                 "What messages tell to run to update the lock");
+                 "The command that messages name for updating the lock");
   app.add_option("--break-command", options.breakCommand,
-                 "What messages tell to run to update the lock and take breaks");
+                 "The command that messages name for updating the lock in spite of breaks");
   auto* update =
       app.add_flag("--update-lock", options.updateLock, "Write the lock instead of checking it");
   app.add_flag("--accept-break", options.acceptBreak,
@@ -120,7 +121,7 @@ Parsed parseOptions(const std::vector<std::string>& arguments) {
       "suturec"};
   declare(app, options);
   try {
-    std::reverse(split.own.begin(), split.own.end());  // as CLI11 wants it
+    std::reverse(split.own.begin(), split.own.end());  // CLI11 takes them from the end
     app.parse(split.own);
     if (!options.explain.empty()) return {std::nullopt, explain(options.explain)};
     if (options.listOutputs) return {std::nullopt, listOutputs()};
