@@ -60,7 +60,7 @@ class GripperReading final : public Gripper {
   JointState measuredJs_;
   bool closed_ = false;
   suture::Time since_;        // when closed_ became so
-  std::optional<bool> told_;  // what clients know
+  std::optional<bool> told_;  // what clients have been told
   std::optional<bool> news_;
 };
 

@@ -14,8 +14,8 @@
 namespace robots {
 namespace {
 
-constexpr int kSamples = 4;  // for each pixel: what Mesa's renderer has
-constexpr int kFiner = 2;    // times as many pixels each way, where squares are drawn
+constexpr int kSamples = 4;  // of each pixel, which is what Mesa's renderer has
+constexpr int kFiner = 2;    // squares are drawn with so many times the pixels in each direction
 constexpr int kChannels = 3;
 
 void attach(GLenum where, GLenum format, int width, int height) {
@@ -50,7 +50,7 @@ void Offscreen::makeCurrent() {
   if (OSMesaMakeCurrent(context_.get(), pixels_.data(), GL_UNSIGNED_BYTE, width_, height_) == 0) {
     refuse("Mesa does not draw in this thread");
   }
-  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the upper row first
+  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the upper row comes first
 }
 
 /// Returns a framebuffer that belongs to the context, which frees it.
@@ -92,7 +92,8 @@ void Offscreen::draw(const Parts& parts, ImageFrame& image) {
   }
 }
 
-/// Draws the square finer, and lets each pixel add up what is in it. OpenGL counts rows from below.
+/// Draws the square kFiner times as large, and makes each pixel the mean of those that lie in it.
+/// OpenGL counts rows from below.
 std::vector<std::uint8_t> Offscreen::drawExact(const std::function<void()>& all,
                                                const Square& square) {
   const int bottom = height_ - square.top - square.size, size = kFiner * square.size;
@@ -114,7 +115,7 @@ std::vector<std::uint8_t> Offscreen::drawExact(const std::function<void()>& all,
   return pixels;
 }
 
-/// OpenGL counts rows from below.
+/// Draws the rows with smooth edges. OpenGL counts rows from below.
 void Offscreen::drawSmooth(const std::function<void()>& all, Rows rows) {
   const int bottom = height_ - rows.last, top = height_ - rows.first;
   glBindFramebuffer(GL_FRAMEBUFFER, smooth_);

@@ -34,8 +34,8 @@ class Offscreen {
   /// those rows that need them, and the squares should be small.
   struct Parts {
     std::function<void()> background;  ///< draws the whole image while OpenGL draws here
-    std::function<void()> all;         ///< draws it too, with all that has edges
-    Rows rows;                         ///< have smooth edges, of four samples a pixel
+    std::function<void()> all;         ///< draws the whole image with all that has edges
+    Rows rows;                         ///< these have smooth edges, of four samples a pixel
     /// In these each pixel is the mean of sixteen samples, as a sensor adds up the light that falls
     /// on a pixel. A square that is larger than kLargestSquare, or reaches beyond the image, is
     /// drawn as its rows are.
