@@ -1,5 +1,5 @@
 #pragma once
-// This is a socket for calls in the client's process.
+// This is a socket of the rpc lane in the client's process.
 
 #include <suture/calls.capnp.h>
 #include <suture/framing/link.h>
@@ -15,7 +15,8 @@ class CallsLink {
   CallsLink(loop::ControlThread& control, LaneSocket socket);
 
   std::uint32_t number() const { return number_; }
-  /// Returns true if it carries nothing any more. The control thread's pumps run when that happens.
+  /// Returns true if the socket carries nothing any more. The control thread's pumps run when that
+  /// happens.
   bool broken() const { return broken_; }
   std::shared_ptr<const framing::LinkCounters> counters() const { return link_.counters(); }
   /// Returns the capability of a connection's contract; `counts` gets the outcomes of its commands.

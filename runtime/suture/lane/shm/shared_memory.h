@@ -1,5 +1,6 @@
 #pragma once
-// These hand out memory blocks as capabilities, which the shm lane needs of the control link.
+// These hand out memory blocks as capabilities over the control link, for the shm lane. All are for
+// the control thread.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -19,8 +20,10 @@ wire::SharedMemory::Client handOut(std::shared_ptr<MemoryBlock> block);
 kj::Promise<std::shared_ptr<MemoryBlock>> receive(wire::SharedMemory::Client memory,
                                                   std::size_t size, MemoryBlock::Others others);
 
+/// Hands out the blocks of `parts`, and writes how the state table is divided.
 void toWire(const shm::SharedParts& parts, wire::SharedChannel::Builder out);
-/// Rejects as receive() does, or if it would take too much memory.
+/// Resolves to the parts that toWire() wrote in the provider's process. Rejects as the other
+/// receive() does, or if they would take too much memory.
 kj::Promise<shm::SharedParts> receive(wire::SharedChannel::Reader in,
                                       const InterfaceInfo& contract);
 

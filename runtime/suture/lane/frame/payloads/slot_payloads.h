@@ -31,7 +31,7 @@ class SlotPayloads final : public Payloads {
  private:
   struct Form {
     std::uint32_t size;
-    StampShift shift;      ///< null: it has no stamps
+    StampShift shift;      ///< null if it has no stamps
     BoundedLevels levels;  ///< only the used part of each travels
   };
   Form formOf(ValueName name) const;
@@ -40,7 +40,8 @@ class SlotPayloads final : public Payloads {
   std::vector<BoundedLevels> levels_;  // by column
   RowSlots row_;                       // the row that is being sent, behind its RowColumns
   RowReader arriving_;
-  // These hold values of which a part travels, once there has been one.
+  // These hold a value while its unused parts are left out or put back. They stay empty until there
+  // has been such a value.
   std::vector<std::byte> packed_, opened_;
   const std::size_t own_;
 };
