@@ -31,7 +31,7 @@ class Run:
         return int(file.read_text(encoding="utf-8")) if file.exists() else None
 
     def tests(self):
-        """Name and seconds of each test of ctest."""
+        """Returns name and seconds of each test of ctest."""
         file = self.records / "tests.xml"
         if not file.exists():
             return []
@@ -39,7 +39,7 @@ class Run:
         return [(case.get("name"), float(case.get("time"))) for case in cases]
 
     def labels(self):
-        """The labels of each test, joined; ctest's records have none."""
+        """Returns the labels of each test, joined. It asks ctest for them, because its records have none."""
         command = ["ctest", "--test-dir", self.records.parent, "--show-only=json-v1"]
         known = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["tests"]
         named = {}
@@ -49,7 +49,7 @@ class Run:
         return named
 
     def cases(self):
-        """Returns name and seconds of each case of the gtest programs, which run many in one test."""
+        """Yields name and seconds of each case of the gtest programs, which run many in one test."""
         for file in self.records.glob("cases/*.json"):
             for suite in json.loads(file.read_text(encoding="utf-8"))["testsuites"]:
                 for case in suite["testsuite"]:
@@ -57,11 +57,12 @@ class Run:
                         yield f"{suite['name']}.{case['name']}", float(case["time"].rstrip("s"))
 
     def in_one_process(self):
+        """Returns the tests that are gtest programs; their cases are listed instead of them."""
         return {file.stem for file in self.records.glob("cases/*.json")}
 
 
 def part_of(test):
-    """Tests are named after their folder, gtest programs after what they test, and discovered cases after their suite."""
+    """Returns the part of the tree that a test is of: its folder, what a gtest program tests, or the suite of a discovered case."""
     if test.startswith(("integration.", "compiler.")):
         return ".".join(test.split(".")[:2])
     head = test.split(".")[0]

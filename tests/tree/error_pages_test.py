@@ -1,6 +1,7 @@
 """docs/errors has what a user can meet: for each enumerator of suture::Errc one page, and one row in the README's table,
-both with the text of toString(). Its pages on set-up have a row for each message that the sources make, and no other; the
-page on what a running process says has no row for a line that no source has.
+both with the text of toString(). Its pages on set-up have a row for each message that the sources make, and no other. Each
+line that a source prints on standard error has a row there or on the page on what a running process says, which has no row for
+a line that no source has.
 
   error_pages_test.py ROOT      checks that tree, and that violations planted in a small one are found
 """
@@ -15,7 +16,7 @@ import error_sites
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
 MAX_LINES = 40
-SET_UP = "set-up"  # is how the names of those pages begin
+SET_UP = "set-up"  # the names of those pages begin so
 RUNNING = "running.md"
 
 
@@ -31,7 +32,7 @@ def texts(root):
 
 
 def page_of(name):
-    """TooManyCalls: too-many-calls.md"""
+    """Returns "too-many-calls.md" for TooManyCalls."""
     return re.sub(r"(?<!^)(?=[A-Z])", "-", name).lower() + ".md"
 
 
@@ -135,7 +136,7 @@ class Planted(unittest.TestCase):
         for one, text in zip(words, found):
             self.assertIn(one, text)
 
-    def test_nothing(self):
+    def test_a_tree_without_violations(self):
         self.expect()
 
     def test_a_printed_line_without_a_row(self):

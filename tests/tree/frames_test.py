@@ -11,7 +11,7 @@ import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
 
-# Values of these contracts name their frames themselves, and are of more than one frame.
+# The values of these contracts are of more than one frame and name those themselves.
 OF_SEVERAL_FRAMES = {"robots::Registration", "robots::Teleoperation"}
 
 
@@ -46,7 +46,7 @@ class Contracts:
                 self.look(field["type"], field.get("unit"), found)
 
     def of(self, component, interface):
-        """Returns the frames of an interface; none of one that the class has in a part of itself, since the other end tells them."""
+        """Returns the frames of an interface. One that is a member of a part of the class is not known, and the other end has its frames."""
         known = self.components[component["class"]]
         sides = known.get("required", []) + known.get("provided", [])
         return next((self.frames[one["interface"]] for one in sides if one["name"] == interface), set())

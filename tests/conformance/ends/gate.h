@@ -18,7 +18,7 @@ class Gate {
 
   void close() { opensAt(suture::Time::max()); }
   void open() { opensAt({}); }
-  /// The steady clock is the machine's: a fork reads the same.
+  /// Sets when the gate opens by itself. A fork reads the same steady clock, the machine's.
   void opensAt(suture::Time time) {
     state_.opensAt = time;
     bell_.ring();

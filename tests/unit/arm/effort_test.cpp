@@ -27,7 +27,7 @@ class EffortTest : public CrtkArmTest {
   }
 
   Eigen::Index released() const { return crtk_.motorOrder().released.count(); }
-  /// The motors hold all joints, and do nothing beside that.
+  /// Expects that the motors hold all joints and add no effort.
   void expectHeld(const char* when) const {
     EXPECT_EQ(released(), 0) << when;
     EXPECT_EQ(crtk_.motorOrder().effort.norm(), 0) << when;

@@ -22,7 +22,7 @@ class InsertionTest : public CrtkArmTest {
 
   InsertionTest() : CrtkArmTest(cannulaModel()) {}
 
-  /// Brings the wrist so far (m) beyond the centre, by a joint move.
+  /// Brings the wrist this many m beyond the remote centre by a joint move.
   void insert(double wristBeyondCentre) {
     JointGoal goal = joints(0.1);
     goal.position[2] = wristBeyondCentre + kShaft;

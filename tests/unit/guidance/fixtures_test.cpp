@@ -26,10 +26,10 @@ FixtureModel model() {
   return model;
 }
 
-/// Wishes anything.
+/// Wishes for steps of any direction and any size.
 class WildHand {
  public:
-  /// `size` is that of its steps along each axis, m.
+  /// `size` is the standard deviation of its steps along each axis, in m.
   WildHand(unsigned seed, double size) : random_(seed), step_(0, size) {}
   Vector3d operator()() { return {step_(random_), step_(random_), step_(random_)}; }
 
@@ -38,15 +38,15 @@ class WildHand {
   std::normal_distribution<double> step_;
 };
 
-/// Fixtures have two tips 80 mm apart, whose mean has the knot below it.
+/// The tips are 80 mm apart, and the knot is 20 mm below their mean.
 class Fixtures : public testing::Test {
  protected:
-  /// The knot is so far before the target, and so far from the line.
+  /// Puts the knot `ahead` m before the target, and beside the line by `aside`.
   void place(double ahead, const Vector3d& aside) {
     knot_ = model().target + aside + Vector3d(0, 0, ahead);
     tips_ = {knot_ + Vector3d(-0.04, 0, 0.02), knot_ + Vector3d(0.04, 0, 0.02)};
   }
-  /// Goes on for `cycles`, as if both hands moved by `wish` in each.
+  /// Runs `cycles` in which both hands move by `wish`. The knot goes with the tips.
   void carry(const Vector3d& wish, int cycles) {
     for (int i = 0; i < cycles; ++i) knot_ += move({wish, wish}).mean();
   }
@@ -158,8 +158,8 @@ TEST_F(Fixtures, ATipStopsAtTheTissue) {
   EXPECT_NEAR(tips_.right.z(), model().tissue, 1e-6);
 }
 
-// Whatever the hands do, no row is missed: what its step leads to counts, not what the solver says.
-// And the solver answers: a step of none for such wishes would be a failure that it hides.
+// Whatever the hands do, each step keeps all bounds; the test looks at where it leads, and does not
+// believe the solver. No step at all would hide a failure of the solver, so there must be one.
 TEST_F(Fixtures, HoldForRandomWishes) {
   WildHand hand(3, 3e-4);
   place(0.02, Vector3d::Zero());
@@ -204,8 +204,8 @@ TEST_F(Fixtures, NoJointGoesFartherThanItsRoom) {
   }
 }
 
-/// Returns the ratio of the tensions beside a knot that resists along -z: those of both sides
-/// together bear it.
+/// Returns the ratio of the tensions on both sides of a knot that resists along -z, which they bear
+/// together.
 double ratioOfTensions(const TipPair& tips, const Vector3d& knot) {
   Eigen::Matrix<double, 3, 2> sides;
   sides << (tips.left - knot).normalized(), (tips.right - knot).normalized();
@@ -241,7 +241,7 @@ TEST(SlidingCone, BoundsTheRatioOfTheTensions) {
   }
 }
 
-/// A hand whose place is unknown moves nothing.
+// A hand whose place is unknown must move nothing.
 TEST_F(Fixtures, AnInfiniteWishMovesNothing) {
   place(0.01, Vector3d::Zero());
   const Vector3d wild(std::numeric_limits<double>::quiet_NaN(), 0, 0);

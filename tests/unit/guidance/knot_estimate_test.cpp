@@ -20,12 +20,12 @@ Vector3d tipsAt(suture::Time time) {
   return {0, 0, -0.01 * std::chrono::duration<double>(time.time_since_epoch()).count()};
 }
 
-TEST(KnotEstimate, AnOldImageCostsNoPlace) {
+TEST(KnotEstimate, AnOldImageLosesNoAccuracy) {
   KnotEstimate estimate(kAge, 1ms);
   suture::Time now{1s};
   for (int i = 0; i < 500; ++i, now += 1ms) {
     estimate.tipsAt(now, tipsAt(now));
-    // Exposed 80 ms ago: the tips have moved by 0.8 mm since.
+    // This image was exposed 80 ms ago. The tips have moved by 0.8 mm since.
     if (i >= 80 && i % 66 == 0) estimate.seenAt(now - 80ms, tipsAt(now - 80ms) + kOffset);
   }
   now -= 1ms;
@@ -34,7 +34,7 @@ TEST(KnotEstimate, AnOldImageCostsNoPlace) {
   EXPECT_TRUE(knot->isApprox(tipsAt(now) + kOffset, 1e-9));
 }
 
-TEST(KnotEstimate, NoiseComesToAThird) {
+TEST(KnotEstimate, NoiseIsMoreThanHalved) {
   KnotEstimate estimate(kAge, 1ms);
   std::mt19937_64 random(1);
   std::normal_distribution<double> noise(0, 0.0003);
@@ -62,7 +62,7 @@ TEST(KnotEstimate, ATooOldSightingIsNone) {
   EXPECT_FALSE(estimate.knot(now));
 }
 
-TEST(KnotEstimate, AfterBlindnessCountsWhatIsSeen) {
+TEST(KnotEstimate, ASightingAfterBlindnessCountsAlone) {
   KnotEstimate estimate(kAge, 1ms);
   suture::Time now{1s};
   estimate.tipsAt(now, Vector3d::Zero());
@@ -73,7 +73,7 @@ TEST(KnotEstimate, AfterBlindnessCountsWhatIsSeen) {
   EXPECT_TRUE(estimate.knot(now)->isApprox(2 * kOffset, 1e-12));
 }
 
-/// A guide of 10 kHz needs this.
+// A guide whose cycle is 100 us takes ten times as many tips in that time.
 TEST(KnotEstimate, RemembersTheTipsAtAnyPeriod) {
   KnotEstimate estimate(kAge, 100us);
   suture::Time now{1s};

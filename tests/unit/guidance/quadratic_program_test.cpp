@@ -101,8 +101,8 @@ TEST(QuadraticProgram, SaysThatTwoRowsContradictEachOther) {
             SolveStatus::Infeasible);
 }
 
-/// None of its answer may count as a permitted step, and it may write nothing beyond the active
-/// set.
+// Such an answer must not count as a permitted step, and the solver must not write beyond its
+// active set.
 TEST(QuadraticProgram, RefusesFiguresThatItCannotComputeWith) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto statusOf = [](const auto& spoil) {
@@ -122,7 +122,7 @@ TEST(QuadraticProgram, RefusesFiguresThatItCannotComputeWith) {
   EXPECT_EQ(statusOf([](Problem& problem) { problem.H.setZero(); }), SolveStatus::Invalid);
 }
 
-// Two rows often say the same, where two limits meet.
+// Where two limits meet, two rows often say the same.
 TEST(QuadraticProgram, TakesARowThatIsThereTwice) {
   Problem problem = Problems().next();
   problem.C.row(1) = problem.C.row(0) = -problem.g.normalized().transpose();
