@@ -6,7 +6,7 @@
 namespace suture::compiler::check {
 namespace {
 
-/// A declaration, and the name that it had before.
+/// Holds a declaration and the name that it had before.
 struct Named {
   std::string subject;
   std::optional<std::string> was;  ///< as written

@@ -5,7 +5,8 @@
 namespace suture::compiler::check {
 namespace {
 
-/// Tells if the range excludes 0, which an uninitialised field gets: default-range refuses that.
+/// Tells if the range excludes 0, the default that a field without an initialiser has in the
+/// schema. The rule default-range refuses such a field already.
 bool excludesZero(const model::Field& field) {
   return field.range && (field.range->first > 0 || field.range->second < 0);
 }

@@ -75,7 +75,8 @@ struct Enum {
   std::string name;  ///< fully qualified: "robots::ArmState"
   std::string wireName;
   Scalar underlying = Scalar::Int32;
-  /// In C++; of an enum that cannot be edited perhaps a "char", which is no std::int8_t.
+  /// This is spelled as in C++. Of an enum that cannot be edited it may be "char", which is another
+  /// type than std::int8_t.
   std::string underlyingType = "std::int32_t";
   bool isOpen = false;  ///< no underlying type is declared, so that few integers are values of it
   /// As in Struct, this is the namespace of a foreign type.

@@ -57,7 +57,7 @@ void emitHeaderIncludes(Code& code, const Context& context) {
   code.blank();
 }
 
-/// Leads a reader past the slots to what he calls.
+/// Emits the comment that leads a reader past the slots to the classes that a program uses.
 void emitGuide(Code& code, const Context& context) {
   if (context.header.interfaces.empty()) return;
   const std::string stem = model::stemOf(context.header.path);

@@ -58,7 +58,7 @@ void emitStruct(Code& code, const Context& context, const model::Struct& declara
   code.close("};").blank();
 }
 
-/// Without `any` the parameters have no names, because the compiler would warn of unused ones.
+/// If `any` is false the parameters have no names, because the compiler would warn of unused ones.
 /// `any` is true if the type has fields.
 std::string storeSignature(const std::string& type, const std::string& slot, bool any = true) {
   return "bool store(const " + type + "&" + (any ? " value, " : ", ") + kBreak + slot + "&" +

@@ -6,9 +6,9 @@
 
 namespace suture::compiler::emit {
 
-/// In namespace suture: declares them, for the generated header.
+/// Declares them in namespace suture, for the generated header.
 void declareEncodings(Code& code, const Context& context);
-/// In namespace suture: defines them, for the generated source.
+/// Defines them in namespace suture, for the generated source.
 void emitEncodings(Code& code, const Context& context);
 
 }  // namespace suture::compiler::emit
