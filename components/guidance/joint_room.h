@@ -10,8 +10,8 @@
 
 namespace robots {
 
-/// Only arms of this many joints have their joints looked at: nobody but an arm itself knows how it
-/// shares a step among more.
+/// The guide looks at the joints of an arm only if it has this many. If it has more, only the arm
+/// itself knows how it shares a step among them.
 constexpr int kTipJoints = 6;
 using TipJoints = Eigen::Matrix<double, kTipJoints, 1>;
 

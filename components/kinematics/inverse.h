@@ -41,8 +41,8 @@ InverseSolution<N> inverse(const Chain<N>& chain, const Eigen::Isometry3d& goal,
 /// Says which postures of the arm may be the answer.
 enum class Postures {
   All,  ///< any that reaches the goal: for a move that is planned
-  /// Only postures that lie within 1 rad and 0.1 m of the start with every joint: for a stream,
-  /// which slides along a limit if only another posture, or another turn of a joint, reaches the
+  /// These postures lie within 1 rad and 0.1 m of the start with every joint. A stream uses them,
+  /// and slides along a limit if only another posture, or another turn of a joint, reaches its
   /// goal.
   Near,
 };

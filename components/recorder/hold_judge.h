@@ -14,12 +14,11 @@
 namespace robots {
 
 struct HoldJudgement {
-  /// In s: its last motion before the break was this long before the break; none if it never
-  /// moved before.
+  /// Its last motion before the break was this many s before the break; none if it never moved
+  /// before.
   std::optional<double> rested_before;
   double held_after = 0;  ///< s from the break until the set-point moved for the last time
-  /// In s: it moved again, while it was enabled, this long after the mending; none if it did
-  /// not.
+  /// It moved again, while it was enabled, this many s after the mending; none if it did not.
   std::optional<double> resumed_after;
   bool enabled_at_end = true;  ///< it would have obeyed
   Jumps jumps;                 ///< since the break

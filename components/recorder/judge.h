@@ -18,9 +18,9 @@ namespace robots {
 struct Judgement {
   ErrorSummary position;     ///< m, from where the slave should be by the goals that it received
   ErrorSummary orientation;  ///< rad, likewise
-  /// In m, from where the law has it for the master at the same moment. It is no fault: a slave is
-  /// late by the time that the data travel and by its drives, and so is off by its speed times
-  /// that.
+  /// The slave was off by this many m from where the law has it for the master at the same moment.
+  /// That is no fault: data travel for a time and drives lag, so a slave is off by its speed times
+  /// that delay.
   ErrorSummary equal_time;
   double speed_times_latency = 0;  ///< m: the mean of what explains the mean of equal_time
   double travel = 0;  ///< m: how far the slave got from where it was when following began

@@ -61,7 +61,7 @@ class ArmPair {
   }
   /// Returns both poses; none if either may not be acted on, or is older than `maxAge`.
   std::optional<ArmPoses> poses(suture::Duration maxAge) {
-    // Both are of one row: no pose is taken for one in the base of before.
+    // Both come from one row, so that no pose is judged by an earlier base.
     const auto row = suture::readTogether(master_.measured_cp, master_.base_frame);
     if (!row) return std::nullopt;
     const suture::Sample<PoseStamped> masterSample(std::get<PoseStamped>(*row), row.stamp());
@@ -74,7 +74,7 @@ class ArmPair {
     base_ = base;
     return ArmPoses{*master, *slave, rebased};
   }
-  /// Lets the slave hold where it is. Does not disturb others who move one that is not ready.
+  /// Lets the slave hold where it is, if it is ready. One that is not may be moved by others.
   void holdSlave() {
     if (slaveWatch_.ready()) slaveWatch_.hold();
   }
