@@ -39,8 +39,8 @@ void ControlThread::Loop::takeWork() {
   owner.runPumps();
 }
 
-// On a stepped clock: what waits here when a timer or a socket wakes this thread, nobody has rung
-// for.
+// On a stepped clock, this is called when a timer or a socket wakes this thread. If work for it
+// waits then, somebody has not rung.
 void ControlThread::Loop::requireRing() {
   VirtualTime* const time = virtualTime();
   if (time == nullptr || !isIdle()) return;

@@ -15,7 +15,7 @@ RowSlots::RowSlots(const InterfaceInfo& contract, std::size_t head) : head_(head
 std::span<std::byte* const> RowSlots::of(rt::ColumnSet columns) {
   if (columns == columns_ && !memory_.empty()) return slots_;
   columns_ = columns;
-  // Else the value of a column that was wanted before would stay.
+  // The memory is cleared, so that no value of a column that was wanted before stays in it.
   memory_.assign(bytes_ / sizeof(std::uint64_t), 0);
   std::byte* end = memory().data() + head_;
   for (std::size_t i = 0; i < slots_.size(); ++i) {

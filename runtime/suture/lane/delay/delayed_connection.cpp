@@ -174,8 +174,8 @@ void DelayedConnection::giveUp(std::uint64_t sequence) {
 
 // ---- from the provider
 
-// Without room, answers and events stay in the provider's queues, which drop and count as without
-// delay. countCommands() tells the client of its commands.
+// If there is no room, answers and events stay in the provider's queues, which drop and count them
+// as on a connection without a delay. countCommands() tells the client of its commands.
 bool DelayedConnection::hasRoom(Message message) const {
   switch (message) {
     case Message::Reply: return answers_.hasRoom();
@@ -229,7 +229,7 @@ bool DelayedConnection::sendRow(rt::ColumnSet columns, std::uint64_t& last) {
   return false;
 }
 
-// Without room a row is left out: a state thins out where a queue would overflow.
+// If there is no room, the row is left out: rows become fewer where a queue would overflow.
 void DelayedConnection::keepRow(const rt::StateTable::Row& row, Time due) {
   std::byte* memory = rows_.claim(due, largestRow(*near_->state));
   if (memory == nullptr) return;

@@ -16,7 +16,7 @@
 namespace suture::frame {
 namespace {
 
-// No contract of ours has more.
+// A client that names more commands than this is refused, since no contract has so many.
 constexpr unsigned kMostCommands = 4096;
 
 /// A SessionLink is the socket of a session, and its number at both ends.

@@ -73,8 +73,8 @@ void LaneThread::loop() {
   for (const Carried& one : carried_) one.link->end();
 }
 
-// On a stepped clock this thread also looks by itself from time to time. What then waits for it, or
-// when something has arrived, nobody has rung for.
+// On a stepped clock, this is called when the thread looks by itself from time to time, or when
+// something has arrived. If something to send waits for it then, somebody has not rung.
 void LaneThread::requireRing() {
   VirtualTime* const time = virtualTime();
   if (time == nullptr) return;

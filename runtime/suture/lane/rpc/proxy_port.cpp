@@ -164,7 +164,7 @@ void ProxyPort::send(const rt::CommandRecord& record) {
   carrier_.commandSent();
 }
 
-// Only a subscription ends here: the link is breaking, and what watches it closes this.
+// Only a subscription can fail here. The link is breaking then, and whoever watches it closes this.
 void ProxyPort::taskFailed(kj::Exception&&) {}
 
 }  // namespace suture::rpc
