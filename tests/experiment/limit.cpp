@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using robots::OperatorParameters;
 
 constexpr suture::Duration kResolution = 2500us;
-// Only the delay shall decide.
+// The camera is exact, so that only the delay decides.
 constexpr CameraModel kExact{.dropout = 0, .disparity = 0};
 
 Trial over(suture::Duration roundTrip) {

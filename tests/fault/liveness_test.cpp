@@ -118,7 +118,7 @@ TEST_P(Liveness, AHungTaskIsLostAlone) {
     hang(first_, speed);
     ASSERT_TRUE(eventually([&] { return first_.error == Errc::Lost; }));
     EXPECT_TRUE(whyLost("First/Arm", provider).starts_with("hung: ")) << provider;
-    // While it hangs, no other client can connect to it.
+    // No other client can connect to the provider while it hangs.
     const int heard = second_.heard;
     expectRefused("Third/Arm", provider);
     EXPECT_EQ(first_.error, Errc::Lost);

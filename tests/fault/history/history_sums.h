@@ -1,5 +1,5 @@
 #pragma once
-// These are what the report of a process says of its connections, as a history has it.
+// These turn what the report of a process says of its connections into the sums of a history.
 
 #include <suture/manager/manager.h>
 #include <suture/observe/observe.h>
@@ -33,7 +33,7 @@ inline ConnectionReport reportOf(const Manager& manager, ConnectionEnd end) {
   throw std::logic_error("there is no connection");
 }
 
-/// Returns the sums by the connection's name.
+/// Returns the sums of all connections of the process, by the connection's name.
 inline std::map<std::string, HistorySums> sumsOf(const Manager& manager) {
   std::map<std::string, HistorySums> sums;
   for (const ConnectionReport& one : observe(manager, {}).connections) {

@@ -1,5 +1,5 @@
-// Nothing says that a slave follows which its goals reach too late, and it does not lunge when they
-// reach it again.
+// A slave whose goals come too late is never reported as following, and does not lunge when they
+// come in time again.
 
 #include "integration/teleoperation/scene/followed_arms.h"
 

@@ -99,7 +99,7 @@ TEST_F(OldData, InANewRowAreNotFollowed) {
   scene_.expectNoJump([&] { scene_.master.beStuck(false); });
 }
 
-// Nothing else would ever bring the two together again.
+// If following went on, nothing would ever bring the two arms together again.
 TEST_F(OldData, ATooFarGoalEndsFollowing) {
   scene_.slave.refuseStepsBeyond(0.05);
   scene_.expectNoJump([] {});

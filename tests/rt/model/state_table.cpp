@@ -42,7 +42,7 @@ Run stateRow() {
           .atEnd = [it] { require(it->readRow() == 3, "the newest row is lost"); }};
 }
 
-// No reader is lapped here, and yet newer rows come.
+// The writer laps no reader here, and yet newer rows come.
 Run stateOrder() {
   const auto it = std::make_shared<Table>(4);
   return {.threads = {[it] {

@@ -124,7 +124,7 @@ TEST(HostProblems, ItsProvidedInterfaceThatAnotherProcessMisspells) {
                 "a required interface to a provided one"});
 }
 
-// Else the declaration would hold for no interface, and nobody would be told.
+// If the names differed, the declaration would hold for no interface, and nobody would be told.
 TEST(HostProblems, AnInterfacesNameMustMatchItsHeader) {
   const auto problemOf = [](std::unique_ptr<Component> (*create)(const JsonReader&)) {
     const std::array classes{ComponentClass{"Client", create}};

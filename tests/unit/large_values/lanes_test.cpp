@@ -67,7 +67,7 @@ TEST_P(LargeValuesBy, AreSentAnsweredReadAndHeard) {
   }
 }
 
-// Nothing is seen of what an earlier, larger value has left behind.
+// A smaller value must not show what an earlier, larger one has left behind.
 TEST_P(LargeValuesBy, HaveAnySizeFromOneToNext) {
   for (const std::size_t size : {kPixels, std::size_t{120}, kPixels / 2, std::size_t{0}, kPixels}) {
     Picture picture{std::vector<std::uint8_t>(size, 80)};

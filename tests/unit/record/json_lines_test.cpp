@@ -214,7 +214,7 @@ class OnceFull final : public Sink {
   int looks_ = 0;
 };
 
-/// What a file says was produced.
+/// Returns what was produced according to a file.
 CollectedCounts countsOf(const std::string& file) {
   CollectedCounts counts;
   for (const json& line : linesOf(file)) {

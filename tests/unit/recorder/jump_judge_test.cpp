@@ -125,7 +125,7 @@ TEST(JumpJudge, ExcusesARecorderThatIsLate) {
   EXPECT_EQ(violationsOf(rows), Sentences{});
 }
 
-/// Nobody ran for a second, so that the hand did not go on either.
+// The whole machine stood still for a second, so the hand did not go on either.
 TEST(JumpJudge, ExcusesAMachineThatStoodStill) {
   std::vector<ArmRow> rows = armThatFollows([](ArmRow&) {});
   for (ArmRow& row : rows) {

@@ -343,7 +343,7 @@ TEST_F(BrokenClient, AwaitsAProcessThatLeavesEarly) {
   EXPECT_EQ(client.given(), 0u);
 }
 
-// What waits for the start of the process is given all at once.
+// Requests that wait for the start of the process are all answered at once when it starts.
 TEST_F(BrokenClient, OpensTooMuchTooEarly) {
   Manager starting("starting", manager());
   Client client(manager(), "starting");

@@ -200,7 +200,8 @@ TEST(TestClock, NamesAThreadThatDoesNotSleep) {
   EXPECT_THAT(heard, testing::HasSubstr("\n  'busy' runs"));
 }
 
-// Else a process that was stopped for long would go on in the order in which its threads began.
+// If it did not, a process that was stopped for long would go on in the order in which its threads
+// began.
 TEST(TestClock, RunsLateThreadsByTheirDeadlines) {
   TestClock clock;
   std::vector<std::string> order;
