@@ -1,5 +1,5 @@
 #pragma once
-// A deployment says this about faults of a process: restarts, and the black box.
+// This does what a deployment says about faults of a process: restarts, and the black box.
 
 #include <suture/component/component.h>
 #include <suture/deploy/document/deployment.h>

@@ -64,7 +64,7 @@ class Host {
 
   /// Returns connections whose far end is gone, components that are faulted for good, and a global
   /// manager that does not answer. What has recovered is missing at the next call. After stop()
-  /// only the components that are faulted.
+  /// these are only the components that are faulted.
   std::vector<Trouble> troubles() const;
   /// Returns what else has happened since the last call, a line each: what the machine does not
   /// grant, restarts after faults, files of the black box, tasks that wait for each other,

@@ -30,8 +30,8 @@ class RealTime {
   /// required that is not granted.
   RealTime(const JsonDocument& document, const ProcessEntry& process);
 
-  /// `components` are in the order of the process, and giveScheduling() has found no problem of
-  /// them: leaves them what is granted of that.
+  /// Leaves the components what is granted of what giveScheduling() gave them. `components` are in
+  /// the order of the process, and giveScheduling() has found no problem of them.
   void giveTo(std::span<const std::unique_ptr<Component>> components) const;
   /// Call it before the manager is started.
   void giveTo(Manager& manager) const;

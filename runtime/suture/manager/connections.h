@@ -30,7 +30,7 @@ class Connections {
                const ConnectOptions& options);
   /// Takes a connection down, and tells the client. Throws SetupError if there is none.
   void disconnect(std::string_view required);
-  /// Takes a connection down whose client knows.
+  /// Takes down a connection of which the client knows already that it ends.
   void drop(const std::string& required);
   /// Admits commands again. Throws SetupError if the connection awaits no operator.
   void resume(std::string_view required);

@@ -1,5 +1,5 @@
 #pragma once
-// This is a required interface for a thread that is no task's: of a GUI, of a logger.
+// This is a required interface for a thread that is no task's, such as that of a GUI or a logger.
 
 #include <suture/component/device.h>
 #include <suture/component/required.h>
@@ -49,8 +49,8 @@ class HandleBase {
 ///   arm.on().operating_state([&](const OperatingState& state) { ... });
 ///   arm.enable.start().within(20ms);                           in the GUI's thread
 ///   arm.processEvents();
-/// Made and destroyed in the manager's thread, while tasks run or not, before or after the manager
-/// ends, and while no other thread uses it.
+/// Make and destroy it in the manager's thread while no other thread uses it; tasks may run then.
+/// It may be destroyed after the manager.
 template <class Contract>
 class Handle final : public HandleBase, public Required<Contract> {
  public:

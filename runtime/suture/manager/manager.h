@@ -1,5 +1,5 @@
 #pragma once
-// This is the local manager: the components of one process and their connections.
+// This is the manager of one process: it has its components and their connections.
 
 #include <suture/component/component.h>
 #include <suture/manager/component_lives.h>
@@ -95,7 +95,7 @@ class Manager {
   /// Ends all connections and components. Those that provide Collecting (suture/standard) end last,
   /// so that they record what the others did to their end. The destructor does this too. Throws
   /// SetupError, and ends nothing, in the thread of a task of this process, which it would wait
-  /// for. Throws it also when all has ended, but the connections in disorder.
+  /// for. Throws it also, once all has ended, if the connections did not end in order.
   void stop();
 
   /// Before or after start(): connects a required interface of this process ("Teleop/Slave") to a
@@ -119,7 +119,7 @@ class Manager {
   /// Errc::OutcomeUnknown, and commands that the provider has not executed yet are dropped. Throws
   /// SetupError if it is not connected.
   void disconnect(std::string_view required);
-  /// Admits commands of a connection that awaits its operator again. Throws SetupError if it is not
+  /// Admits commands again on a connection that awaits its operator. Throws SetupError if it is not
   /// connected, still lost, or awaits no operator.
   void resumeConnection(std::string_view required);
 

@@ -28,7 +28,7 @@ class GlobalManager {
   /// Returns where it really listens.
   const std::string& address() const { return address_; }
 
-  /// Returns the address of a user's manager: in `$XDG_RUNTIME_DIR/suture`, or in
+  /// Returns the address of this user's manager: in `$XDG_RUNTIME_DIR/suture`, or in
   /// `/tmp/suture-<uid>`.
   static std::string defaultAddress();
   /// Makes the directory of a "unix:" address, only for its owner, if it is not there. Throws

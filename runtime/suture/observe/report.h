@@ -50,8 +50,8 @@ struct ConnectionReport : Tally {
   std::string whyNotBack;
   std::uint64_t bytesSent = 0, bytesReceived = 0;  ///< on the wire; 0 within a process
 
-  /// Only the client's end knows it: there is none at the provider's, and for a connection without
-  /// a contract.
+  /// The client's end has it. There is none at the provider's end, or for a connection without a
+  /// contract.
   std::optional<ContractReport> contract;
 
   std::uint64_t sent = 0;  ///< commands that the client's calls handed over; at the provider's end
@@ -91,7 +91,7 @@ struct WindowReport {
 struct TaskReport {
   std::string name;
   ComponentState state = ComponentState::Constructed;
-  std::string fault;         ///< what its handler threw, if state is Faulted
+  std::string fault;         ///< why it was faulted, in words, if state is Faulted
   std::uint64_t faults = 0;  ///< how often it has been faulted
   std::string scheduling;    ///< "fifo 80 on processor 1"; "": another's thread runs it
   std::uint64_t cycles = 0, skipped = 0;
@@ -105,7 +105,7 @@ struct TaskReport {
 struct DeviceReport {
   std::string name;
   ComponentState state = ComponentState::Constructed;
-  std::string fault;  ///< what its handler threw, if state is Faulted
+  std::string fault;  ///< why it was faulted, in words, if state is Faulted
   std::uint64_t faults = 0;
 };
 
@@ -117,7 +117,8 @@ struct Report {
   std::vector<DeviceReport> devices = {};
   net::Refusals::Summary refusals = {};  ///< peers, and requests of peers
   std::uint64_t incarnation = 0;         ///< which start of the process; 0 without a global manager
-  Duration processorTime{};  ///< all its threads': those of tasks, and those that carry connections
+  Duration
+      processorTime{};  ///< of all its threads: those of tasks, and those that carry connections
 };
 
 /// Any thread. Turn a report into JSON: durations become whole nanoseconds, "dropped" stands beside

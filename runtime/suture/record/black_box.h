@@ -14,7 +14,7 @@
 namespace suture {
 
 struct BlackBoxOptions {
-  std::filesystem::path folder;              ///< exists
+  std::filesystem::path folder;              ///< it must exist
   std::string prefix = {};                   ///< before the component in the files' names
   Duration last = std::chrono::seconds(10);  ///< how far back it writes, if the tables keep it
   Duration period = std::chrono::milliseconds(10);  ///< how often it looks
@@ -22,7 +22,7 @@ struct BlackBoxOptions {
   /// keeps as many as its component has asked for.
   unsigned rows = 0;
   /// The box calls this, in its own thread, with what has been written or why it could not be.
-  /// Without it, standard error gets that.
+  /// If it is null, standard error gets that.
   std::function<void(const std::string&)> tell = nullptr;
 };
 

@@ -37,7 +37,7 @@ class Collection {
   /// Returns true if what has this stamp is to be kept. Counts it as collected or passed over.
   bool keep(Time stamp);
   void countMissed(std::uint64_t count);
-  /// Settles what `sink` has taken. What that could not keep counts as missed and no longer as
+  /// Settles what `sink` has taken. What the sink could not keep counts as missed and no longer as
   /// collected, and is added to `unreported`. Throws what the sink throws.
   void settle(Sink& sink, const CollectedInterface& from, std::uint64_t& unreported);
 

@@ -37,9 +37,9 @@ class EventCollector final : public EventTask {
 
   // --- any thread
 
-  /// From now on keeps the events that it takes, and sets all counts to zero.
+  /// Keeps the events that it takes from now on, and sets all counts to zero.
   void startCollecting();
-  /// From now on discards the events that it takes, without counting them.
+  /// Discards the events that it takes from now on, without counting them.
   void stopCollecting();
   /// Returns true from the first to the last of the events that may be kept.
   bool collecting() const { return collection_.active(); }

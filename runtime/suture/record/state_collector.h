@@ -49,8 +49,8 @@ class StateCollector final : public EventTask {
 
   // --- any thread
 
-  /// From the collector's next cycle on, which is soon, keeps the rows that are published from then
-  /// on, and sets all counts to zero.
+  /// Keeps the rows that are published from the collector's next cycle on, which comes soon, and
+  /// sets all counts to zero.
   void startCollecting();
   /// Makes the next cycle the last that keeps rows.
   void stopCollecting();

@@ -19,10 +19,11 @@ class Scheduler;
 
 /// Says how the threads of the process run while a TestClock exists.
 enum class Threads : std::uint8_t {
-  /// One at a time, in an order that depends only on the program and the seed; all on the processor
-  /// on which the clock is made, where taking turns costs least.
+  /// They take turns, in an order that depends only on the program and the seed, and all run on the
+  /// processor on which the clock is made, where taking turns costs least.
   OneAtATime,
-  /// All that have something to do, as in production: for ThreadSanitizer. There is no trace.
+  /// All that have something to do run, as in production and for ThreadSanitizer. There is no
+  /// trace.
   Together,
 };
 
@@ -34,8 +35,8 @@ struct TestClockOptions {
   std::uint64_t seed = 0;
   /// Keeps what happens for TestClock::trace(). An hour of a system takes gigabytes.
   bool traced = false;
-  /// How long the process may run in real time while none of its threads sleeps or is woken,
-  /// before they are named on standard error.
+  /// The process may run this long in real time while none of its threads sleeps or is woken; then
+  /// they are named on standard error.
   std::chrono::nanoseconds patience = std::chrono::seconds(10);
   /// The clock calls this when something happens that must not: a thread found work for which
   /// nobody had rung, or nothing can happen any more. May be called in any thread. Without it, the
