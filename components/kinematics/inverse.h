@@ -11,9 +11,9 @@ struct InverseOptions {
   double orientation_tolerance = 1e-9;  ///< rad
 };
 
-/// An InverseResult is the answer of `inverse`. It is within the joint limits even if the goal was
-/// not found: then it is the nearest that was reached, where 0.1 m of position weigh as much as 1
-/// rad of orientation.
+/// An InverseSolution is the answer of `inverse`. It is within the joint limits even if the goal
+/// was not found: then it is the nearest that was reached, where 0.1 m of position weigh as much as
+/// 1 rad of orientation.
 template <int N>
 struct InverseSolution {
   typename Chain<N>::Joints q;
