@@ -104,8 +104,8 @@ int diff(std::vector<std::string> arguments) {
       "old peers still work.",
       "suturec diff"};
   std::string old, now;
-  app.add_option("old", old, "The schema of before, or the folder of all of them")->required();
-  app.add_option("new", now, "The schema of now, or their folder")->required();
+  app.add_option("old", old, "The earlier schema, or the folder of all of them")->required();
+  app.add_option("new", now, "The later schema, or the folder of all of them")->required();
   try {
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the end
     app.parse(arguments);

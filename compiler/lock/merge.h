@@ -1,6 +1,6 @@
 #pragma once
 // This brings header and lock together into the lock as it should become. It judges nothing, since
-// differences.h compares the lock of before with this one.
+// differences.h compares the earlier lock with this one.
 
 #include <string>
 #include <vector>

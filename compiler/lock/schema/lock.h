@@ -138,7 +138,7 @@ bool needsLock(const model::Header& header);
 Locks read(const std::vector<model::Artefact>& texts, model::Diagnostics& diagnostics,
            const Options& options = {});
 
-/// Returns the C++ names, also those of before, of what own headers declare and no lock has. Locks
+/// Returns the C++ names, also the former ones, of what own headers declare and no lock has. Locks
 /// that have them too are to be read by readOthers().
 std::vector<std::string> unknownNames(const model::Model& model, const Locks& locks);
 

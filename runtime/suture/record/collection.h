@@ -27,7 +27,7 @@ class Collection {
   bool active() const { return active_.load(std::memory_order_acquire); }
   CollectedCounts counts() const;
 
-  // the collector's thread
+  // --- the collector's thread
 
   const CollectingInterval& interval() const { return interval_; }
   /// Returns false, and changes nothing, if the interval is not possible.

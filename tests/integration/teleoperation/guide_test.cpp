@@ -91,7 +91,7 @@ TEST_F(Guide, BeginsAnewAfterItWasSuspended) {
   EXPECT_TRUE(left().isApprox(leftHeld, 1e-9)) << "it jumped";
   EXPECT_TRUE(right().isApprox(rightHeld, 1e-9)) << "it jumped";
   EXPECT_TRUE(guide_.progress().knot.isApprox(eyes_.seen_.knot, 1e-9))
-      << "an image of before was matched with tips that had moved since";
+      << "an earlier image was matched with tips that had moved since";
   expectThatBothFollow();
 }
 

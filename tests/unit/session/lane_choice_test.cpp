@@ -220,7 +220,7 @@ TEST_F(LaneChoice, NoLaneJoinsStandingConnections) {
   EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}), "has no lane 'hope'"));
 }
 
-// The next connection would join the session that is being made, which has the lanes of before.
+// The next connection would join the session that is being made, which has the earlier lanes.
 TEST_F(LaneChoice, NoLaneJoinsADialUnderWay) {
   begin(kTcp);
   console->giveUp();

@@ -49,7 +49,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     silent_ = silent;
   }
-  /// While its encoders are stuck it publishes rows, with the pose of before.
+  /// While its encoders are stuck it publishes rows with the earlier pose.
   void beStuck(bool stuck) {
     const std::lock_guard lock(mutex_);
     stuck_ = stuck;
