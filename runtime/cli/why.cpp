@@ -14,7 +14,7 @@ namespace {
 
 using Side = wire::Peer::Side;
 
-/// An End is one of the two, and keeps its texts.
+/// An End is one of the two interfaces that are compared.
 struct End {
   Target target;
   Found found;
@@ -36,7 +36,8 @@ struct Compared {
 struct Verdict {
   bool connects = false;
   bool sameContract = false;
-  std::vector<std::uint16_t> lacking;  ///< the numbers of the required commands that it lacks
+  std::vector<std::uint16_t>
+      lacking;  ///< the numbers of the required commands that the provider lacks
   std::vector<std::string> differences;
 };
 

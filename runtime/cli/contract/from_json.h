@@ -1,5 +1,5 @@
 #pragma once
-// These are arguments for a schema that was learnt at run time.
+// This turns JSON into arguments by a schema that was learnt at run time.
 
 #include <capnp/dynamic.h>
 #include "cli/values/json.h"
@@ -14,8 +14,8 @@ namespace suture::cli {
 /// field is missing, unknown or of another type.
 void fill(capnp::DynamicStruct::Builder out, const Json& json, const std::string& path);
 
-/// Returns true if `path`, as "goal.label", leads to a text, or to an optional one and `value` is
-/// not its absence.
+/// Returns true if `path`, such as "goal.label", leads to a text, or to an optional text for which
+/// `value` is not null.
 bool leadsToText(capnp::StructSchema schema, std::string_view path, const Json& value);
 
 }  // namespace suture::cli

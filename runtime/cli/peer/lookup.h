@@ -9,10 +9,10 @@
 
 namespace suture::cli {
 
-/// Finds the process, links to it and greets. Throws SetupError.
+/// Finds the process, links to it and greets it. Throws SetupError.
 Peer meet(loop::EventPort& loop, const Options& options, const std::string& process);
 
-/// Throws SetupError with the components that there are.
+/// Returns the component that `target` names. Throws SetupError with those that there are.
 ComponentRecord findComponent(Peer& peer, const Target& target);
 
 /// This is an interface as its process explains it, and on which side its component has it.

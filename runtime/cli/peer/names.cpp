@@ -27,7 +27,8 @@ bool somebodyListens(loop::EventPort& loop, const net::Address& address, Duratio
   }
 }
 
-/// Where nobody listens, says also how to start a manager there.
+/// Links to the manager at `address`. If nobody listens there, the error also says how to start
+/// one.
 kj::Own<framing::Link> reachManager(loop::EventPort& loop, const net::Address& address,
                                     const Options& options) {
   net::requireKeys(address, options.trust);  // no manager helps where we have none

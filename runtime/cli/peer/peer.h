@@ -31,7 +31,7 @@ struct ConnectionRecord {
 /// A Description is what a process says of itself.
 struct Description {
   std::vector<ComponentRecord> components;
-  /// None: its Suture was built before it told them.
+  /// There are none if its Suture was built before it told them.
   std::optional<std::vector<ConnectionRecord>> connections;
 };
 
@@ -41,8 +41,8 @@ struct Cycle {
   std::uint64_t cycles = 0;  ///< so far
 };
 
-/// Holds one link. Call these in their order; each throws SetupError: what was asked, found and to
-/// do.
+/// Holds one link. Call these in their order; each throws SetupError, which says what was asked,
+/// what was found and what to do.
 class Peer {
  public:
   /// `manager` is the address of the one that knows the process.
@@ -72,7 +72,7 @@ class Peer {
   /// Returns how far its clock is from ours, once it has been greeted: as exact as the greeting was
   /// fast.
   const ClockOffset& clock() const { return clock_; }
-  /// Returns a stamp of its clock, on ours; as exact as that.
+  /// Returns a stamp of its clock as a time of ours, as exact as clock() is.
   Time here(std::int64_t stamp) const;
   /// Rejects when it has not answered within the patience; asks as often.
   kj::Promise<void> whenSilent();

@@ -24,11 +24,11 @@ std::string columns(const std::vector<std::vector<std::string>>& rows, unsigned 
 /// Returns "3.1 ms".
 std::string milliseconds(double value);
 double inMilliseconds(Duration duration);
-/// Returns ", known to 40 us": how wrong a time may be for another clock, rounded up. Nothing for
+/// Returns ", known to 40 us": how wrong a time may be for another clock, rounded up; "" for
 /// zero.
 std::string knownTo(Duration error);
 
-/// Says that who read standard output has gone, so that there is nothing more to do.
+/// Says that the reader of standard output has gone, so that there is nothing more to do.
 class ReaderGone : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -12,7 +12,7 @@
 namespace suture::framing {
 namespace {
 
-// So many bytes are worth a send of their own.
+// From this many bytes on, what waits is sent at once, and not together with later messages.
 constexpr std::size_t kSendAtOnce = 1u << 16;
 // A buffer that has grown beyond this is freed when it is empty. An image fits, because otherwise
 // the kernel would clear the memory of each image anew.
@@ -252,9 +252,9 @@ ssize_t MessageStream::sendSome() {
   return count;
 }
 
-// The loop flushes outside of all promises, so an exception that left from here would end the
-// process; a failure ends this stream alone.
 // Moves the unsent bytes only when at least as many have been sent, so that no byte is moved twice.
+// A failure ends this stream alone: the loop flushes outside of all promises, so an exception that
+// left from here would end the process.
 void MessageStream::awaitRoom() {
   if (outgoingBegin_ >= outgoing_.size() / 2) discardSent();
   KJ_IF_MAYBE (failure, kj::runCatchingExceptions([this] { observeRoom(); })) {
