@@ -55,7 +55,7 @@ struct ArmModel {
   /// Computes the efforts that carry the arm's weight, if that is known.
   std::optional<dynamics::ArmDynamics<N>> weight = {};
   std::optional<InsertionRule> insertion = {};
-  /// In s: a servo goal may lie as far from the set-point as the joints can move in this time.
+  /// A servo goal may lie as far from the set-point as the joints can move in this time, in s.
   double servo_horizon = 0.1;
   /// The arm's own closed form stands here, if it has one.
   kinematics::InverseFunction<N> inverse = kinematics::searched<N>;

@@ -26,7 +26,7 @@ struct DriveWatchOptions {
   /// can move in the time between both, by their stamps or by when the arm had them, whichever is
   /// longer, and one count. If this is infinite, nothing is a jump.
   double jump_factor = std::numeric_limits<double>::infinity();
-  /// In s: an effort may be above its limit for this long.
+  /// An effort may be above its limit for this long, in s.
   double overload_time = std::numeric_limits<double>::infinity();
 };
 

@@ -22,7 +22,7 @@ struct RigidBodyModel {
   Joints rate_limit;  ///< rad/s or m/s: set-points go no faster to their goals
   Joints stiffness;   ///< effort per error of position
   Joints damping;     ///< effort per error of velocity
-  /// In s: the velocities that are measured and controlled have this time constant.
+  /// The velocities that are measured and controlled have this time constant, in s.
   double velocity_filter;
   bool gravity_compensation = true;
   bool quantisation = true;

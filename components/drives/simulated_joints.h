@@ -24,8 +24,8 @@ class SimulatedJoints {
   virtual void advance(double dt) = 0;
   /// Says that the joints have power, and where they shall be from now on.
   virtual void command(const Joints& setpoint) = 0;
-  /// Says what the motors do beside that from the next command on. It has no effect on joints
-  /// without mass.
+  /// Says what the motors do besides following the set-point, from the next command on. It has no
+  /// effect on joints without mass.
   virtual void order(const MotorOrder<N>& /*order*/) {}
   /// Says that the joints have no power; brakes, if they have any, hold them where they are.
   virtual void brake() = 0;

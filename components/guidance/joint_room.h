@@ -33,13 +33,13 @@ struct TipAhead {
 };
 
 /// Returns the share, of 0 to 1, of the next step's turn that `bounds` permit while the tip stays
-/// where it is. A joint that is beyond a limit may still come back. Never allocates. Both must be
-/// of kTipJoints joints, as `bounds` are.
+/// where it is. A joint that is beyond a limit may still come back. `setpoint` and `jacobian` must
+/// have kTipJoints joints, as `bounds` have. Never allocates.
 double turnShare(const JointBounds& bounds, const JointState& setpoint, const Jacobian& jacobian,
                  const TipAhead& ahead, double seconds);
 
-/// Says how the next step of a tip moves the joints of its arm, and how far they may go in it. One
-/// that is made without bounds forbids nothing.
+/// Says how the next step of a tip moves the joints of its arm, and how far they may go in it. A
+/// JointRoom that is made without bounds forbids nothing.
 struct JointRoom {
   /// Each joint goes this far for each m of the tip along the axes of the scene.
   Eigen::Matrix<double, kTipJoints, 3> motion = Eigen::Matrix<double, kTipJoints, 3>::Zero();
@@ -48,8 +48,8 @@ struct JointRoom {
 };
 
 /// Returns the room of a step of `seconds` that begins at `setpoint` and `ahead`. `jacobian` is the
-/// spatial one, and `base` turns the axes of the base to those of the scene. Never allocates. Both
-/// must be of kTipJoints joints, as `bounds` are.
+/// spatial one, and `base` turns the axes of the base to those of the scene. `setpoint` and
+/// `jacobian` must have kTipJoints joints, as `bounds` have. Never allocates.
 JointRoom jointRoom(const JointBounds& bounds, const JointState& setpoint, const Jacobian& jacobian,
                     const TipAhead& ahead, const Eigen::Matrix3d& base, double seconds);
 

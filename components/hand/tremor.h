@@ -9,7 +9,7 @@
 namespace robots {
 
 struct TremorModel {
-  /// In m: the distance from where the hand shall be has this root mean square. Published values
+  /// The distance from where the hand shall be has this root mean square, in m. Published values
   /// are 50 to 200 um (Wells et al., "Comparison of baseline tremor under various microsurgical
   /// conditions", 2013, PMC3989364).
   double amplitude = 1e-4;

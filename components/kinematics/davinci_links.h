@@ -8,7 +8,7 @@ namespace robots::kinematics {
 
 constexpr double kHalfPi = std::numbers::pi / 2;
 
-constexpr double kPsmCarriage = 0.4318;  ///< from the remote centre back to the carriage's begin
+constexpr double kPsmCarriage = 0.4318;  ///< from the remote centre back to the carriage
 constexpr double kPsmShaft = 0.4162;     ///< from the carriage to the axis of the wrist pitch
 constexpr double kPsmWrist = 0.0091;     ///< from the axis of the wrist pitch to the wrist yaw's
 

@@ -24,10 +24,10 @@ namespace robots::kinematics {
 InverseSolution<7> mtmInverse(const Chain<7>& chain, const Eigen::Isometry3d& goal,
                               const Chain<7>::Joints& start, Postures postures = Postures::All);
 
-/// Returns the joints that reach `goal` with the platform at this angle; of the postures of yaw,
-/// shoulder and elbow, the one within their limits, or else the nearest to `start`. They may lie
-/// beyond the limits (see clamp() and within() of the chain). Returns nothing if the goal is out of
-/// reach or not finite. Never allocates.
+/// Returns the joints that reach `goal` with the platform at this angle. Of the postures of yaw,
+/// shoulder and elbow it takes the one within their limits, or else the nearest to `start`. The
+/// joints may lie beyond the limits (see clamp() and within() of the chain). Returns nothing if the
+/// goal is out of reach or not finite. Never allocates.
 std::optional<Chain<7>::Joints> mtmAtPlatform(const Chain<7>& chain, const Eigen::Isometry3d& goal,
                                               double platform, const Chain<7>::Joints& start);
 

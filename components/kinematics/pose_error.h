@@ -21,7 +21,7 @@ inline Eigen::Matrix<double, 6, 1> poseError(const Eigen::Isometry3d& from,
   return error;
 }
 
-/// In m: this much position error weighs as much as one radian of orientation error, wherever the
+/// This much position error, in m, weighs as much as one radian of orientation error, wherever the
 /// two are compared.
 constexpr double kLengthScale = 0.1;
 

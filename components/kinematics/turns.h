@@ -7,10 +7,10 @@
 
 namespace robots::kinematics {
 
-/// In rad or m: a value this little beyond a limit is a rounding error of a closed form.
+/// A value this little (rad or m) beyond a limit is a rounding error of a closed form.
 constexpr double kLimitSlack = 1e-10;
 
-/// In m: a vector no longer than this has no direction.
+/// A vector no longer than this, in m, has no direction.
 constexpr double kOpenLength = 1e-10;
 
 /// Returns `angle` plus whole turns (rad): of those within the limits the one nearest to `near`; if

@@ -16,11 +16,11 @@ struct CameraPair {
   int width = 640, height = 480;  ///< px
   double focal = 351;             ///< px
   double baseline = 0.004;        ///< m, from the left to the right pinhole
-  /// In rad: the right camera is turned by this toward the left one's axis. Code that
+  /// The right camera is turned by this toward the left one's axis, in rad. Code that
   /// triangulates does not know it: it is what a calibration has missed, or heat has changed since.
   double vergence = 0;
 
-  /// In m before the camera: what is nearer is out of focus, and counts as unseen.
+  /// What is nearer to the camera than this, in m, is out of focus and counts as unseen.
   static constexpr double kNearest = 0.005;
   bool sees(const Eigen::Vector3d& point) const { return point.z() >= kNearest; }
 
