@@ -11,7 +11,7 @@ import tempfile
 import time
 
 sys.path.append(str(pathlib.Path(__file__).parents[2] / "support"))
-from rights import WITHOUT_REAL_TIME  # also for those who import this
+from rights import BEFORE_COMPILERS, WITHOUT_REAL_TIME  # the second one also for those who import this
 
 PATIENCE = 60  # s; only so that a hang ends the test
 
@@ -29,7 +29,7 @@ class Demo:
         # The demo has its own temporary folder, so that what it leaves there can be seen.
         environment = dict(os.environ, TMPDIR=self.folder.name)
         self.process = subprocess.Popen(
-            [*([] if real_time else WITHOUT_REAL_TIME), programs / "suture-demo", "--json", self.json, *arguments],
+            [*BEFORE_COMPILERS, *([] if real_time else WITHOUT_REAL_TIME), programs / "suture-demo", "--json", self.json, *arguments],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment)
 
     def __enter__(self):
