@@ -9,7 +9,7 @@ import sys
 # These are the folders of runtime/suture/, lowest first. Each may include itself and what stands before it. Within one layer, which is one
 # library, a source may include any of its parts: the order holds for headers there.
 RUNTIME = ["base", "base/slots", "rt", "rt/queue", "rt/state", "component/contract", "component/channel/counts",
-           "component/channel", "component/required",
+           "component/channel", "component/provided", "component/required",
            "component", "component/factory", "component/task", "wiring", "loop", "net/tls", "net", "framing", "codec", "codec/json", "lane",
            "lane/carrier", "lane/fault", "lane/delay", "lane/rpc", "lane/shm", "lane/frame/bytes", "lane/frame/payloads", "lane/frame", "names", "session", "session/client",
            "session/provider/limits", "session/provider/shared", "session/provider/connections", "session/provider", "standard", "manager", "observe", "record", "testing", "deploy/document", "deploy/process", "deploy"]

@@ -5,7 +5,7 @@
 namespace suture {
 
 Result<void> Emitter<void>::operator()() {
-  return resultOf<void>(provided_.emit(event_, nullptr, true));
+  return resultOf<void>(emission_.emit(event_, nullptr, true));
 }
 
 Result<void> SubscriptionBase::reset() {

@@ -5,9 +5,9 @@
 #include <suture/base/slots/loan.h>
 #include <suture/base/slots/shared_slot.h>
 #include <suture/base/slots/slot_forms.h>
-#include <suture/component/event_loan.h>
 #include <suture/component/next_event.h>
 #include <suture/component/provided.h>
+#include <suture/component/provided/event_loan.h>
 #include <suture/component/required.h>
 
 #include <atomic>
@@ -29,20 +29,22 @@ class Emitter;
 template <>
 class Emitter<void> {
  public:
-  Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
+  Emitter(ProvidedBase& provided, std::uint16_t event)
+      : emission_(provided.emission()), event_(event) {}
   /// Never blocks, never allocates. A subscriber whose queue is full loses the event, which is
   /// counted; but it always gets the last value of a latched() event.
   Result<void> operator()();
 
  private:
-  ProvidedBase& provided_;
+  Emission& emission_;
   std::uint16_t event_;
 };
 
 template <class Slot, class... Payload>
 class Emitter {
  public:
-  Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
+  Emitter(ProvidedBase& provided, std::uint16_t event)
+      : emission_(provided.emission()), event_(event) {}
   /// Never blocks; never allocates in a task's thread, and in another one only for its first
   /// payload of more than 4 KiB. If the payload exceeds its declared capacity the answer is
   /// Errc::TooLarge, and if the contract does not admit a value of it Errc::Invalid; then no
@@ -52,7 +54,7 @@ class Emitter {
   Result<std::void_t<Slot>> operator()(const Payload&... payload) {  // see resultOf()
     LooseSlot<Slot> slot;
     const bool fits = store(payload..., slot.value());
-    return resultOf<std::void_t<Slot>>(provided_.emit(event_, slot.memory(), fits));
+    return resultOf<std::void_t<Slot>>(emission_.emit(event_, slot.memory(), fits));
   }
 
   /// Does what operator() does with an event of one value, one list of which `fill` writes; it is
@@ -75,16 +77,16 @@ class Emitter {
  private:
   template <class Store>
   Errc emitFilled(const Store& storeAll) {
-    if (provided_.emitsInWrongThread()) return Errc::WrongThread;
-    if (EventLoan loan(provided_, event_); loan.memory() != nullptr) {
+    if (emission_.inWrongThread()) return Errc::WrongThread;
+    if (EventLoan loan(emission_, event_); loan.memory() != nullptr) {
       return loan.emit(storeAll(*reinterpret_cast<Slot*>(loan.memory())));
     }
     LooseSlot<Slot> slot;
     const bool fits = storeAll(slot.value());
-    return provided_.emit(event_, slot.memory(), fits);
+    return emission_.emit(event_, slot.memory(), fits);
   }
 
-  ProvidedBase& provided_;
+  Emission& emission_;
   std::uint16_t event_;
 };
 

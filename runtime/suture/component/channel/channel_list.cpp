@@ -6,7 +6,7 @@
 namespace suture {
 namespace {
 
-// The sequentially consistent loads are in one order with ProvidedBase::tellOf(), which sets
+// The sequentially consistent loads are in one order with Clients::takeNewsOf(), which sets
 // `known` before it reads the status.
 bool mayGo(const ChannelList::Node& node) {
   return node.channel->status.load(std::memory_order_seq_cst) == ChannelStatus::Closed &&

@@ -1,4 +1,4 @@
-#include <suture/component/command_clock.h>
+#include <suture/component/provided/command_clock.h>
 
 #include <algorithm>
 #include <chrono>
