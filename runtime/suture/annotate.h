@@ -170,7 +170,7 @@ struct Member : Arguments... {
 
 /// Names the unit of a number, SI or derived: "m", "rad", "m/s", "N.m".
 constexpr Unit unit(const char* symbol) { return {symbol}; }
-/// Sets the range, including both ends, which the receiving end enforces.
+/// Sets the range, including both ends, which both ends enforce.
 constexpr Range range(double lowest, double highest) { return {lowest, highest}; }
 /// Sets the upper bounds of strings, lists, maps (one number each) and matrices (rows, columns),
 /// from the outside in.
@@ -191,7 +191,8 @@ constexpr Latest latest() { return {true}; }
 constexpr Ttl ttl(Nanoseconds age) { return {age.count()}; }
 /// Says that a client that subscribes later receives the last value.
 constexpr Latched latched() { return {true}; }
-/// Sets how long within() waits for the answer of this command if the call does not say.
+/// Sets how long within() waits for the answer of this command if neither the call nor the
+/// connection's contract says.
 constexpr Deadline deadline(Nanoseconds limit) { return {limit.count()}; }
 /// Says that a provider may lack this command, or that this required interface may stay
 /// unconnected.

@@ -124,13 +124,17 @@ class Sections {
     const auto optional = [](const model::Command& one) { return one.optional; };
     const auto takes = [](const model::Command& one) { return !one.parameters.empty(); };
     const auto carries = [&](const model::Command& one) { return takes(one) || one.result; };
+    const auto moves = [](const model::Command& one) {
+      return !isRead(one) && one.kind != model::CommandKind::QualifiedRead;
+    };
     if (interface_.commands.empty()) return "";
     MarkdownTable table({"error", "of", "meaning"});
     const auto add = [&table](bool possible, const char* name, const char* of,
                               const char* meaning) {
       if (possible) table.add({inCode(name), of, meaning});
     };
-    add(true, "NotConnected", "every call", "the required interface was never connected");
+    add(true, "NotConnected", "every call",
+        "the required interface has no connection at this moment");
     add(true, "Lost", "every call",
         "the connection broke; nothing reaches the provider until it is back");
     add(true, "WrongThread", "every call",
@@ -149,7 +153,19 @@ class Sections {
         "the connection broke; it may have run");
     add(any(isAnswered), "TooManyCalls", "calls with an answer",
         "as many as can be followed are unfinished");
-    add(true, "Faulted", "every call", "the provider's handler threw; its component is parked");
+    add(true, "Faulted", "every call",
+        "the provider's component is faulted: its code threw, or a policy said so");
+    add(true, "Suspended", "every call",
+        "the provider is suspended; a command is not executed, a read has no value");
+    add(any(moves), "AwaitingOperator", "commands",
+        "the connection's contract wants an operator, who has not resumed it; nothing was sent");
+    add(any(moves), "NotPermitted", "commands",
+        "the provider's policy lets this process only read; not executed");
+    add(any(takes), "OnLoan", "commands",
+        "this required interface is filling a loan; nothing was sent");
+    add(any(isAnswered), "Cancelled", "calls with an answer",
+        "the caller cancelled it in time; not executed");
+    add(any(isRead), "Stale", "reads", "the value is older than the connection's max_age");
     add(any(optional), "NotImplemented", "optional commands", "this provider does not have it");
     return "### Errors of " + model::unqualified(interface_.name) + "\n\n" + table.text();
   }

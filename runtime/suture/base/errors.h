@@ -14,7 +14,7 @@ namespace suture {
 
 /// Tells why a call or a read has no value.
 enum class Errc : std::uint8_t {
-  NotConnected = 1,  ///< the required interface was never connected
+  NotConnected = 1,  ///< the required interface has no connection at this moment
   Lost,              ///< the connection broke; nothing reaches the provider until it is back
   Full,              ///< as many of this command wait at the provider as it accepts
   TooLarge,          ///< a string or list exceeds the capacity that its header declares, or the
@@ -24,7 +24,7 @@ enum class Errc : std::uint8_t {
   OutcomeUnknown,    ///< the connection broke after the call was sent; it may have run
   Late,              ///< the command was older than its ttl when its turn came; not executed
   Superseded,        ///< a later command of the same connection had run already; not executed
-  Faulted,           ///< the provider's handler threw; its component is parked
+  Faulted,           ///< the provider's component is faulted: its code threw, or a policy said so
   Invalid,           ///< a value is outside what its header allows
   TooManyCalls,      ///< this required interface has as many unfinished calls as it can follow
   WrongThread,       ///< calls and events belong to the component's thread, and this is another
@@ -32,7 +32,8 @@ enum class Errc : std::uint8_t {
   TooOld,            ///< the state table does not reach back that far; configure more rows
   Suspended,         ///< the provider is suspended; the command was not executed
   Stale,             ///< the value is older than the connection's max_age
-  AwaitingOperator,  ///< the connection was lost, and an operator must resume it; nothing was sent
+  AwaitingOperator,  ///< a loss, a fault or a stale read came, and an operator has not resumed the
+                     ///< connection since; nothing was sent
   Cancelled,         ///< the sender cancelled the command in time; it was not executed
   CannotWait,        ///< events cannot be awaited in an event's handler, nor can those whose own
                      ///< handler is direct

@@ -96,8 +96,8 @@ class [[nodiscard]] Call : CallBase {
     }
     return answer_;
   }
-  /// Waits as long as the deadline() that the contract states for the command, else
-  /// kDefaultDeadline.
+  /// Waits as long as the deadline of the connection's contract, else the command's deadline(),
+  /// else kDefaultDeadline.
   const Answer& within() & { return within(limit_); }
   /// Waits likewise, and returns the answer of a call that nobody keeps.
   Answer within(Duration limit) && {

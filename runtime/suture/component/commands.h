@@ -73,7 +73,7 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
   /// thread, and in another one only for its first arguments of more than 4 KiB. Success means that
   /// the command waits at the provider (local), is on its way within the provider's credit (any
   /// other lane), or has run (in this thread). Every error means that it has not run and will not
-  /// run, but for Faulted if it ran in this thread and threw. On every lane the errors are
+  /// run, except Faulted if it ran in this thread and threw. On every lane the errors are
   ///   WrongThread, NotConnected, Lost, Suspended, Faulted   it cannot reach the provider now
   ///   NotImplemented      the provider was built without it
   ///   AwaitingOperator    its provider was lost or faulted, and an operator has to resume it

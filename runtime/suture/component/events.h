@@ -62,8 +62,8 @@ class Emitter {
   /// that lead to it. If one subscriber hears a queued event of more than 512 bytes, it is written
   /// where it leaves from; otherwise it is copied, as from operator(). `fill` may emit other
   /// events. The event's stamp is when `fill` returns, but who gets it is settled before. So `fill`
-  /// should be short: until it returns, no more of this event find room than the rest of the queue
-  /// takes. If `fill` throws, nothing is emitted.
+  /// should be short: until it returns, further events of this kind find only the room that is left
+  /// in the queue. If `fill` throws, nothing is emitted.
   ///   camera_.emit().frame.loan<&FrameSlot::pixels>(frame, [&](std::span<std::uint8_t> room) {
   ///     return sensor_.grab(room);
   ///   });

@@ -109,8 +109,8 @@ class RequiredBase : protected RequiredParts {
   /// Owner's thread. Returns true while the provider is lost and the contract faults this component
   /// for that.
   bool lossFaults() const { return attachment.lossFaults(); }
-  /// Owner's thread; for a device, any thread. Admits commands again that await their operator. A
-  /// device admits them when it next looks at the connection.
+  /// Owner's thread; for a device, any thread. Admits commands again on a connection that awaits
+  /// its operator. A device admits them when it next looks at the connection.
   ResumeOutcome resume() { return attachment.resume(); }
   /// Owner's thread. Runs the handlers of the events that have arrived, then those of the calls
   /// that have ended.

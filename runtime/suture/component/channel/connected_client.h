@@ -19,8 +19,8 @@ struct ConnectedClient {
 
   /// Names the required interface, with its process: "console:Teleop/Slave".
   const std::string_view name;
-  /// The client bears its provider's silence so long before it loses the connection; 0: for ever,
-  /// as one in the same process does, or it has not said how long.
+  /// The client bears its provider's silence for so long before it loses the connection; 0: for
+  /// ever, as one in the same process does, or it has not said how long.
   const Duration silence;
 };
 
