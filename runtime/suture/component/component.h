@@ -116,8 +116,6 @@ class Component {
   /// The component's own thread. Returns false once it is asked to stop, but for its hooks: what
   /// they ask of others, such as to hold still, they may await.
   bool mayWait() const { return !ending() || inHook_; }
-  /// A task's thread. Says whose command is executed from now on; null: nobody's.
-  void noteCaller(const ConnectedClient* caller) { caller_ = caller; }
   /// A task's thread. Returns true if a command of this component ("console:Teleop") is under way
   /// or waits here, so that it does not end while this task waits.
   bool holdsUp(std::string_view component) const;
@@ -175,6 +173,7 @@ class Component {
   void handleEvents();
 
  private:
+  friend class CommandDrain;
   friend class ProvidedBase;
   friend class RequiredBase;
   friend class Manager;

@@ -30,13 +30,13 @@ template <>
 class Emitter<void> {
  public:
   Emitter(ProvidedBase& provided, std::uint16_t event)
-      : emission_(provided.emission()), event_(event) {}
+      : emission_(provided.emission_), event_(event) {}
   /// Never blocks, never allocates. A subscriber whose queue is full loses the event, which is
   /// counted; but it always gets the last value of a latched() event.
   Result<void> operator()();
 
  private:
-  Emission& emission_;
+  EventEmission& emission_;
   std::uint16_t event_;
 };
 
@@ -44,7 +44,7 @@ template <class Slot, class... Payload>
 class Emitter {
  public:
   Emitter(ProvidedBase& provided, std::uint16_t event)
-      : emission_(provided.emission()), event_(event) {}
+      : emission_(provided.emission_), event_(event) {}
   /// Never blocks; never allocates in a task's thread, and in another one only for its first
   /// payload of more than 4 KiB. If the payload exceeds its declared capacity the answer is
   /// Errc::TooLarge, and if the contract does not admit a value of it Errc::Invalid; then no
@@ -86,7 +86,7 @@ class Emitter {
     return emission_.emit(event_, slot.memory(), fits);
   }
 
-  Emission& emission_;
+  EventEmission& emission_;
   std::uint16_t event_;
 };
 

@@ -1,8 +1,6 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/provided.h>
 
-#include <string>
-
 namespace suture {
 
 ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const InterfaceInfo& info,

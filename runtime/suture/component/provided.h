@@ -13,14 +13,12 @@
 #include <suture/component/component.h>
 #include <suture/component/contract/declared_frames.h>
 #include <suture/component/contract/interface_info.h>
-#include <suture/component/provided/clients.h>
 #include <suture/component/provided/command_drain.h>
 #include <suture/component/provided/command_runner.h>
-#include <suture/component/provided/emission.h>
-#include <suture/component/provided/rows.h>
+#include <suture/component/provided/event_emission.h>
+#include <suture/component/provided/interface_clients.h>
+#include <suture/component/provided/row_publisher.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -79,9 +77,6 @@ class ProvidedBase : private CommandRunner {
   void serveInEveryState() { clients_.serveInEveryState(); }
   /// Returns false if commands are refused because the component is suspended or faulted.
   bool inService() const { return clients_.inService(); }
-  /// Returns the part that emits its events: for the members of a generated emit(), and for a local
-  /// client of a device.
-  Emission& emission() { return emission_; }
 
   // --- the thread that serves this interface ---
 
@@ -95,7 +90,7 @@ class ProvidedBase : private CommandRunner {
   ///   frames_.keepState({.manual = true});          in the constructor
   ///   if (camera_.newFrame()) frames_.advance();    in run()
   void advance() { rows_.publish(); }
-  /// Returns true if commands, or news of clients, are waiting.
+  /// Returns true if commands, subscribers or news of clients are waiting.
   bool pending() const { return clients_.pending(); }
   /// Returns true if commands of this component are waiting: "console:Teleop".
   bool pendingFrom(std::string_view component) const { return clients_.pendingFrom(component); }
@@ -112,10 +107,14 @@ class ProvidedBase : private CommandRunner {
   virtual ~ProvidedBase();
 
  private:
+  template <class, class...>
+  friend class Emitter;
+  friend class Subscriptions;
+
   void* const implementation_;
-  Clients clients_;
-  Emission emission_{clients_};
-  Rows rows_{clients_, *this};
+  InterfaceClients clients_;
+  EventEmission emission_{clients_};
+  RowPublisher rows_{clients_, *this};
   CommandDrain commands_{clients_, *this};
   DeclaredFrames frames_;
 };

@@ -6,8 +6,8 @@
 namespace suture {
 namespace {
 
-// The sequentially consistent loads are in one order with Clients::takeNewsOf(), which sets
-// `known` before it reads the status.
+// The sequentially consistent loads are in one order with InterfaceClients::takeNewsOf(), which
+// sets `known` before it reads the status.
 bool mayGo(const ChannelList::Node& node) {
   return node.channel->status.load(std::memory_order_seq_cst) == ChannelStatus::Closed &&
          !node.known.load(std::memory_order_seq_cst);

@@ -45,7 +45,7 @@ class CommandDrain::Execution {
   Execution(const Execution&) = delete;
   Execution& operator=(const Execution&) = delete;
   ~Execution() {
-    if (owner_.ownsThread()) owner_.noteCaller(nullptr);
+    if (owner_.ownsThread()) owner_.caller_ = nullptr;
     release();
     if (call_ != 0 && !answered) channel_.provider.replyError(call_, error);
     if (channel_.provider.rowsAreWanted()) {  // the client also learns of what has been taken
@@ -57,7 +57,7 @@ class CommandDrain::Execution {
 
   /// Notes the caller, except for a device, whose commands may run in several threads at once.
   void begin(const ConnectedClient& client) {
-    if (owner_.ownsThread()) owner_.noteCaller(&client);
+    if (owner_.ownsThread()) owner_.caller_ = &client;
   }
 
   /// Frees the place of a command that has been executed, before a client can see the answer.

@@ -1,6 +1,6 @@
 #include <suture/base/field_path.h>
-#include <suture/component/provided/clients.h>
 #include <suture/component/provided/command_runner.h>
+#include <suture/component/provided/interface_clients.h>
 
 namespace suture {
 

@@ -9,13 +9,13 @@
 namespace suture {
 
 class Channel;
-class Clients;
+class InterfaceClients;
 
 /// Runs the commands of a contract on its implementation. Belongs to the thread that serves the
 /// interface.
 class CommandRunner {
  public:
-  explicit CommandRunner(Clients& clients) : clients_(clients) {}
+  explicit CommandRunner(InterfaceClients& clients) : clients_(clients) {}
   CommandRunner(const CommandRunner&) = delete;
   CommandRunner& operator=(const CommandRunner&) = delete;
 
@@ -31,7 +31,7 @@ class CommandRunner {
   ~CommandRunner() = default;
 
  private:
-  Clients& clients_;
+  InterfaceClients& clients_;
 };
 
 }  // namespace suture

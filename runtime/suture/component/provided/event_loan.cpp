@@ -1,12 +1,12 @@
 #include <suture/component/channel/channel.h>
-#include <suture/component/provided/emission.h>
+#include <suture/component/provided/event_emission.h>
 #include <suture/component/provided/event_loan.h>
 
 #include <utility>
 
 namespace suture {
 
-EventLoan::EventLoan(Emission& emission, std::uint16_t event)
+EventLoan::EventLoan(EventEmission& emission, std::uint16_t event)
     : emission_(emission), event_(event), subscriber_(emission.onlySubscriber(event)) {
   if (subscriber_ != nullptr) memory_ = subscriber_->events.lend(event);
 }

@@ -10,13 +10,13 @@
 namespace suture {
 
 class Channel;
-class Emission;
+class EventEmission;
 
 /// Belongs to the thread that emits the event, and lasts no longer than its filling. An event that
 /// leaves at once for several subscribers, or for none, cannot be written where it leaves from.
 class EventLoan {
  public:
-  EventLoan(Emission& emission, std::uint16_t event);
+  EventLoan(EventEmission& emission, std::uint16_t event);
   /// Gives the memory up unless it has been emitted.
   ~EventLoan();
   EventLoan(const EventLoan&) = delete;
@@ -29,7 +29,7 @@ class EventLoan {
   Errc emit(bool fits);
 
  private:
-  Emission& emission_;
+  EventEmission& emission_;
   const std::uint16_t event_;
   std::shared_ptr<Channel> subscriber_;
   std::byte* memory_ = nullptr;

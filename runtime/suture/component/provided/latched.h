@@ -1,7 +1,7 @@
 #pragma once
 // This is where a provided interface keeps the last value of an event.
 
-#include <suture/component/provided/emission.h>
+#include <suture/component/provided/event_emission.h>
 #include <suture/rt/state/state_table.h>
 
 #include <array>
@@ -10,7 +10,7 @@
 namespace suture {
 
 /// Holds the last value of a latched event as the only column of a table.
-struct Emission::Latched {
+struct EventEmission::Latched {
   explicit Latched(const EventInfo& event)
       : values(std::array{event.payloadSize}, kRows, rt::ColumnSet{event.sharedPayload},
                rt::StateTable::Readers::Here) {}

@@ -77,7 +77,7 @@ void Subscriptions::passOn(EventSet joining) {
   if (isOver(status)) return;
   const Channel::Ends& ends = channel->ends;
   attachment_.owner().ringLater(*ends.provider);
-  if (ends.device != nullptr) ends.device->emission().greetLocal(*channel);
+  if (ends.device != nullptr) ends.device->emission_.greetLocal(*channel);
 }
 
 bool Subscriptions::pending() const {

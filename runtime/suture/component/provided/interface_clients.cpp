@@ -1,44 +1,45 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/component.h>
-#include <suture/component/provided/clients.h>
+#include <suture/component/provided/interface_clients.h>
 
 #include <utility>
 
 namespace suture {
 
-Clients::Clients(Component& owner, std::string_view name, const InterfaceInfo& info)
+InterfaceClients::InterfaceClients(Component& owner, std::string_view name,
+                                   const InterfaceInfo& info)
     : name_(name),
       owner_(owner),
       info_(info),
       channels_(owner.ownsThread() ? ChannelList::Walkers::Owner : ChannelList::Walkers::Any) {}
 
-void Clients::add(std::shared_ptr<Channel> channel) {
+void InterfaceClients::add(std::shared_ptr<Channel> channel) {
   sweep();
   channels_.add(std::move(channel));
 }
 
-void Clients::sweep() {
+void InterfaceClients::sweep() {
   if (!owner_.ownsThread()) channels_.sweep();
 }
 
-void Clients::dropEnded() {
+void InterfaceClients::dropEnded() {
   if (!owner_.ownsThread() || !channels_.unlinkClosed()) return;
   owner_.ringNow();  // a bell that is due may go with its channel
   channels_.letGo();
 }
 
-bool Clients::inService() const {
+bool InterfaceClients::inService() const {
   return everyState_ || statusIn(owner_.state()) == ChannelStatus::Connected;
 }
 
-Errc Clients::refusal() const {
+Errc InterfaceClients::refusal() const {
   if (owner_.ending()) return Errc::Lost;
   return inService() ? Errc{} : errorOf(statusIn(owner_.state()));
 }
 
 // Repeats until the state stays, because a thread that announces a change may not have seen the
 // channel yet.
-void Clients::tellState(Channel& channel) const {
+void InterfaceClients::tellState(Channel& channel) const {
   if (everyState_) return;
   ComponentState told;
   do {
@@ -47,17 +48,17 @@ void Clients::tellState(Channel& channel) const {
   } while (owner_.state() != told);
 }
 
-void Clients::announce(ChannelStatus status) {
+void InterfaceClients::announce(ChannelStatus status) {
   if (everyState_ && status != ChannelStatus::Lost) return;
   channels_.forEach([status](ChannelList::Node& node) { node.channel->tell(status); });
 }
 
-bool Clients::mayHear() const {
+bool InterfaceClients::mayHear() const {
   return owner_.state() == ComponentState::Running && !owner_.ending();
 }
 
 // Skips local clients of a device, which come and go in their own threads.
-bool Clients::isNews(const ChannelList::Node& node) {
+bool InterfaceClients::isNews(const ChannelList::Node& node) {
   if (node.channel->ends.device != nullptr) return false;
   const bool over = isOver(node.channel->status.load(std::memory_order_seq_cst));
   return over == node.known.load(std::memory_order_relaxed);
@@ -65,7 +66,7 @@ bool Clients::isNews(const ChannelList::Node& node) {
 
 // Marks a client as known before it reads the status, so that a thread that removes closed channels
 // meanwhile leaves those that the component knows of.
-bool Clients::takeNewsOf(ChannelList::Node& node, ClientNews& news) {
+bool InterfaceClients::takeNewsOf(ChannelList::Node& node, ClientNews& news) {
   if (!isNews(node)) return false;
   const bool known = node.known.exchange(true, std::memory_order_seq_cst);
   const ChannelStatus status = node.channel->status.load(std::memory_order_seq_cst);
@@ -77,7 +78,7 @@ bool Clients::takeNewsOf(ChannelList::Node& node, ClientNews& news) {
   return true;
 }
 
-bool Clients::pendingFrom(std::string_view component) const {
+bool InterfaceClients::pendingFrom(std::string_view component) const {
   bool any = false;
   channels_.forEach([&any, component](ChannelList::Node& node) {
     const Channel& channel = *node.channel;
@@ -87,7 +88,7 @@ bool Clients::pendingFrom(std::string_view component) const {
   return any;
 }
 
-bool Clients::pending() const {
+bool InterfaceClients::pending() const {
   bool any = false;
   channels_.forEach([&any, hears = mayHear()](ChannelList::Node& node) {
     const Channel& channel = *node.channel;
@@ -97,7 +98,7 @@ bool Clients::pending() const {
   return any;
 }
 
-void Clients::noteInvalid(const FieldPath& path, Channel* asker) {
+void InterfaceClients::noteInvalid(const FieldPath& path, Channel* asker) {
   lastInvalid_.note(path);
   if (asker != nullptr) return asker->lastInvalid.note(path);
   channels_.forEach([&path](ChannelList::Node& node) { node.channel->lastInvalid.note(path); });

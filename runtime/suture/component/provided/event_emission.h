@@ -5,7 +5,7 @@
 #include <suture/base/errors.h>
 #include <suture/base/time.h>
 #include <suture/component/channel/channel_list.h>
-#include <suture/component/provided/clients.h>
+#include <suture/component/provided/interface_clients.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,12 +16,12 @@
 namespace suture {
 
 /// A task's events belong to its own thread; any thread may emit a device's.
-class Emission {
+class EventEmission {
  public:
-  explicit Emission(Clients& clients);
-  ~Emission();
-  Emission(const Emission&) = delete;
-  Emission& operator=(const Emission&) = delete;
+  explicit EventEmission(InterfaceClients& clients);
+  ~EventEmission();
+  EventEmission(const EventEmission&) = delete;
+  EventEmission& operator=(const EventEmission&) = delete;
 
   /// Returns true in a thread that may not walk the channels and fill the subscribers' queues.
   bool inWrongThread() const;
@@ -37,8 +37,9 @@ class Emission {
   /// Emits what EventQueue::lend() of `channel` gave.
   void deliverLent(Channel& channel, std::uint16_t event, std::byte* payload);
 
-  /// In a task's cycle; does nothing for a local client of a device. Lets a client hear from now on
-  /// what it has subscribed to, and gives it the last values of what is new to it.
+  /// In the thread that serves the interface; does nothing for a local client of a device. Lets a
+  /// client hear from now on what it has subscribed to, and gives it the last values of what is new
+  /// to it.
   void greet(ChannelList::Node& node);
   /// Any thread, for a local client of a device, which has no cycle: gives a client that has just
   /// subscribed the last values. Does nothing for others.
@@ -55,7 +56,7 @@ class Emission {
   void replay(Channel& channel, std::uint16_t event, std::span<std::uint64_t> memory);
   void keepLatched(std::uint16_t event, Time stamp, std::span<const std::byte> payload);
 
-  Clients& clients_;
+  InterfaceClients& clients_;
   struct Latched;
   std::vector<std::unique_ptr<Latched>> latched_;  // by event; null if it is not latched
   std::vector<std::uint64_t> replayed_;            // one payload, for the thread that serves

@@ -7,7 +7,6 @@
 #include <suture/component/channel/last_invalid.h>
 #include <suture/component/contract/interface_info.h>
 
-#include <atomic>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,11 +17,11 @@ class Component;
 
 /// Knows the component that a provided interface belongs to, and the channels of its clients.
 /// Belongs to the thread that serves the interface, except where a comment says otherwise.
-class Clients {
+class InterfaceClients {
  public:
-  Clients(Component& owner, std::string_view name, const InterfaceInfo& info);
-  Clients(const Clients&) = delete;
-  Clients& operator=(const Clients&) = delete;
+  InterfaceClients(Component& owner, std::string_view name, const InterfaceInfo& info);
+  InterfaceClients(const InterfaceClients&) = delete;
+  InterfaceClients& operator=(const InterfaceClients&) = delete;
 
   /// Any thread.
   const std::string& name() const { return name_; }
@@ -47,7 +46,7 @@ class Clients {
   Errc refusal() const;
   /// Any thread. Tells a new client in which state the component is.
   void tellState(Channel& channel) const;
-  /// Any thread. Tells all clients.
+  /// In a thread that may walk along the clients. Tells all of them.
   void announce(ChannelStatus status);
 
   /// Calls `tell(client, news)` for each client that has come or gone since the last call, if the
@@ -60,14 +59,15 @@ class Clients {
       if (takeNewsOf(node, news)) tell(node.client, news);
     });
   }
-  /// Returns true if commands, or news of clients, are waiting.
+  /// Returns true if commands, subscribers or news of clients are waiting.
   bool pending() const;
   /// Returns true if commands of this component are waiting: "console:Teleop".
   bool pendingFrom(std::string_view component) const;
 
-  /// Any thread; never allocates. Notes which part of a value the contract did not admit. `asker`
-  /// is the client that does not get it; null means all clients.
+  /// In a thread that may walk along the clients; never allocates. Notes which part of a value the
+  /// contract did not admit. `asker` is the client that does not get it; null means all clients.
   void noteInvalid(const FieldPath& path, Channel* asker);
+  /// Any thread; never allocates.
   FieldPath lastInvalid() const { return lastInvalid_.read(); }
 
  private:

@@ -2,7 +2,7 @@
 #include <suture/base/words.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/component.h>
-#include <suture/component/provided/emission.h>
+#include <suture/component/provided/event_emission.h>
 #include <suture/component/provided/latched.h>
 
 #include <algorithm>
@@ -19,21 +19,22 @@ std::size_t payloadWords(const InterfaceInfo& info) {
 
 }  // namespace
 
-Emission::Emission(Clients& clients) : clients_(clients), replayed_(payloadWords(clients.info())) {
+EventEmission::EventEmission(InterfaceClients& clients)
+    : clients_(clients), replayed_(payloadWords(clients.info())) {
   for (const EventInfo& event : clients.info().events) {
     latched_.push_back(event.latched ? std::make_unique<Latched>(event) : nullptr);
   }
 }
 
-Emission::~Emission() = default;
+EventEmission::~EventEmission() = default;
 
 // Only the task's own thread may, but any thread of a device.
-bool Emission::inWrongThread() const {
+bool EventEmission::inWrongThread() const {
   const Component& owner = clients_.owner();
   return owner.ownsThread() && owner.ownedByAnotherThread();
 }
 
-Errc Emission::judge(std::uint16_t event, const std::byte* slot, bool fits) {
+Errc EventEmission::judge(std::uint16_t event, const std::byte* slot, bool fits) {
   if (!fits) return Errc::TooLarge;
   FieldPath path;
   if (clients_.info().events[event].admits(slot, &path)) return Errc{};
@@ -43,7 +44,7 @@ Errc Emission::judge(std::uint16_t event, const std::byte* slot, bool fits) {
 
 // A task's new subscribers join at its next cycle, together with the latched values.
 template <class Visit>
-void Emission::forEachSubscriber(std::uint16_t event, const Visit& visit) const {
+void EventEmission::forEachSubscriber(std::uint16_t event, const Visit& visit) const {
   const bool ownThread = clients_.owner().ownsThread();
   clients_.channels().forEach([&](ChannelList::Node& node) {
     const Channel& channel = *node.channel;
@@ -54,7 +55,7 @@ void Emission::forEachSubscriber(std::uint16_t event, const Visit& visit) const 
   });
 }
 
-Errc Emission::emit(std::uint16_t event, const std::byte* slot, bool fits) {
+Errc EventEmission::emit(std::uint16_t event, const std::byte* slot, bool fits) {
   if (inWrongThread()) return Errc::WrongThread;
   if (const Errc error = judge(event, slot, fits); error != Errc{}) return error;
   const EventInfo& info = clients_.info().events[event];
@@ -67,7 +68,7 @@ Errc Emission::emit(std::uint16_t event, const std::byte* slot, bool fits) {
   return Errc{};
 }
 
-std::shared_ptr<Channel> Emission::onlySubscriber(std::uint16_t event) const {
+std::shared_ptr<Channel> EventEmission::onlySubscriber(std::uint16_t event) const {
   std::shared_ptr<Channel> only;
   bool lends = true;
   forEachSubscriber(event, [&](const std::shared_ptr<Channel>& channel, bool direct) {
@@ -77,15 +78,15 @@ std::shared_ptr<Channel> Emission::onlySubscriber(std::uint16_t event) const {
   return lends ? only : nullptr;
 }
 
-void Emission::deliverLent(Channel& channel, std::uint16_t event, std::byte* payload) {
+void EventEmission::deliverLent(Channel& channel, std::uint16_t event, std::byte* payload) {
   if (channel.events.pushLent(event, now(), payload)) {
     channel.countSent(sizeof(rt::EventRecord) + clients_.info().events[event].payloadSize);
   }
   clients_.owner().ringForArrival(channel);
 }
 
-void Emission::deliver(Channel& channel, std::uint16_t event, Time stamp,
-                       std::span<const std::byte> payload, bool direct) {
+void EventEmission::deliver(Channel& channel, std::uint16_t event, Time stamp,
+                            std::span<const std::byte> payload, bool direct) {
   if (direct && channel.direct.call(event, payload.data())) {
     channel.counts->eventsHeardHere.fetch_add(1, std::memory_order_relaxed);
     return;
@@ -96,7 +97,8 @@ void Emission::deliver(Channel& channel, std::uint16_t event, Time stamp,
   clients_.owner().ringForArrival(channel);
 }
 
-void Emission::keepLatched(std::uint16_t event, Time stamp, std::span<const std::byte> payload) {
+void EventEmission::keepLatched(std::uint16_t event, Time stamp,
+                                std::span<const std::byte> payload) {
   Latched& latched = *latched_[event];
   // A device may emit it in two threads at once. These have no order, so either value may stay.
   if (latched.keeping.test_and_set(std::memory_order_acquire)) return;
@@ -106,13 +108,13 @@ void Emission::keepLatched(std::uint16_t event, Time stamp, std::span<const std:
   latched.keeping.clear(std::memory_order_release);
 }
 
-void Emission::replay(Channel& channel, EventSet events, std::span<std::uint64_t> memory) {
+void EventEmission::replay(Channel& channel, EventSet events, std::span<std::uint64_t> memory) {
   for (std::uint16_t i = 0; i < clients_.info().events.size(); ++i) {
     if (clients_.info().events[i].latched && (events >> i & 1) != 0) replay(channel, i, memory);
   }
 }
 
-void Emission::replay(Channel& channel, std::uint16_t event, std::span<std::uint64_t> memory) {
+void EventEmission::replay(Channel& channel, std::uint16_t event, std::span<std::uint64_t> memory) {
   const EventInfo& info = clients_.info().events[event];
   const auto payload = std::as_writable_bytes(memory).first(info.payloadSize);
   const auto isDirect = [&] { return (channel.direct.events() >> event & 1) != 0; };
@@ -129,7 +131,7 @@ void Emission::replay(Channel& channel, std::uint16_t event, std::span<std::uint
 }
 
 // Skips local clients of a device, which greet themselves because it has no cycle.
-void Emission::greet(ChannelList::Node& node) {
+void EventEmission::greet(ChannelList::Node& node) {
   Channel& channel = *node.channel;
   if (channel.ends.device != nullptr) return;
   const EventSet joining = channel.provider.takeJoining();
@@ -138,7 +140,7 @@ void Emission::greet(ChannelList::Node& node) {
   if (joining != 0) replay(channel, joining & node.served, replayed_);
 }
 
-void Emission::greetLocal(Channel& channel) {
+void EventEmission::greetLocal(Channel& channel) {
   if (channel.ends.device == nullptr) return;
   const EventSet joining = channel.provider.takeJoining() & channel.subscribed();
   if (joining == 0) return;

@@ -1,8 +1,8 @@
 #pragma once
 // A provided interface publishes the values of its reads here, a row at a time.
 
-#include <suture/component/provided/clients.h>
 #include <suture/component/provided/command_runner.h>
+#include <suture/component/provided/interface_clients.h>
 #include <suture/rt/state/row_columns.h>
 
 #include <atomic>
@@ -25,11 +25,12 @@ struct StateOptions {
 };
 
 /// Belongs to the thread that serves the interface, except where a comment says otherwise.
-class Rows {
+class RowPublisher {
  public:
-  Rows(Clients& clients, CommandRunner& runner) : clients_(clients), runner_(runner) {}
-  Rows(const Rows&) = delete;
-  Rows& operator=(const Rows&) = delete;
+  RowPublisher(InterfaceClients& clients, CommandRunner& runner)
+      : clients_(clients), runner_(runner) {}
+  RowPublisher(const RowPublisher&) = delete;
+  RowPublisher& operator=(const RowPublisher&) = delete;
 
   /// In the component's constructor. Throws SetupError if the interface is in use already, or if
   /// `options` do not suit it.
@@ -44,7 +45,7 @@ class Rows {
   void publish();
 
  private:
-  Clients& clients_;
+  InterfaceClients& clients_;
   CommandRunner& runner_;
   StateOptions options_{.rows = 0};  // 0: as many rows as their size suggests
   std::once_flag made_;

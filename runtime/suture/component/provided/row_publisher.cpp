@@ -1,12 +1,12 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/component.h>
-#include <suture/component/provided/rows.h>
+#include <suture/component/provided/row_publisher.h>
 
 #include <string>
 
 namespace suture {
 
-void Rows::keep(const StateOptions& options) {
+void RowPublisher::keep(const StateOptions& options) {
   const std::string asked = "the state table of '" + clients_.name() + "'";
   if (!clients_.channels().empty() || demand() != 0) {
     throw SetupError(asked, "somebody uses it already",
@@ -26,7 +26,7 @@ void Rows::keep(const StateOptions& options) {
   }
 }
 
-const std::shared_ptr<rt::StateTable>& Rows::table() {
+const std::shared_ptr<rt::StateTable>& RowPublisher::table() {
   std::call_once(made_, [this] {
     table_ = makeStateTable(clients_.info(), rt::StateTable::Readers::Elsewhere, options_.rows);
     usable_.store(table_.get(), std::memory_order_release);
@@ -34,12 +34,12 @@ const std::shared_ptr<rt::StateTable>& Rows::table() {
   return table_;
 }
 
-rt::ColumnSet Rows::demand() const {
+rt::ColumnSet RowPublisher::demand() const {
   const rt::StateTable* const table = usable_.load(std::memory_order_acquire);
   return table == nullptr ? 0 : table->demand();
 }
 
-void Rows::publish() {
+void RowPublisher::publish() {
   const rt::ColumnSet wanted = demand();
   if (wanted == 0) return;
   rt::StateTable& table = *usable_.load(std::memory_order_relaxed);
