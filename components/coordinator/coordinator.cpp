@@ -11,18 +11,21 @@ namespace {
 // meanwhile. It counts from its last heartbeat, which is up to 0.4 s older than the pause.
 constexpr suture::Duration kCommandsMayBeLost = std::chrono::milliseconds(1500);
 
-// A client that ends its connection in a shorter pause, or has a shorter silence, loses a command
-// as well. Drives have stopped by then, because their permit lapses in 30 ms.
+// A client that ends its connection in a shorter pause, or loses it then, loses a command as well.
+// Drives have stopped by then, because their permit lapses in 30 ms.
 constexpr suture::Duration kShortPause = std::chrono::milliseconds(50);
-// The coordinator is told of a client's end so soon after a pause.
+// The coordinator is told so soon after a pause of a client that was lost in it, though the thread
+// that tells may go on later than this one.
+constexpr suture::Duration kToldAtOnce = std::chrono::milliseconds(100);
+// It is told so soon after a pause of whatever a client did in it.
 constexpr suture::Duration kToldWithin = std::chrono::seconds(1);
 
-// Returns how long a pause may be without a lost command of a client that is gone. A client that
-// fell silent has lost none in a pause that is much shorter than its silence: its cable was cut, or
-// it stood still itself.
+// Returns how long a pause may be that has lost no command of a client that is told to be gone some
+// time after it. One that is silent then was cut off, or stood still itself, unless the pause was
+// long beside its silence: its last heartbeat is up to a fifth of that older than the pause.
 suture::Duration harmlessPause(const suture::ConnectedClient& client, suture::ClientNews news) {
   if (news != suture::ClientNews::Silent) return kShortPause;
-  return std::max(kShortPause, client.silence * 3 / 4);  // of 2 s: kCommandsMayBeLost
+  return std::max(kShortPause, client.silence * 3 / 4);
 }
 
 }  // namespace
@@ -38,12 +41,7 @@ void Coordinator::run() {
   const suture::Duration pause = cycles_.sinceLast();
   cycles_.begin();
   pauseIsNoticed_ = false;
-  if (pause > kShortPause) {
-    pause_ = std::max(pause, recentPause());
-    pauseCountsUntil_ = suture::now() + kToldWithin;
-  }
-  const bool pressMayBeLost =
-      recentPause() > std::exchange(harmlessPause_, suture::Duration::max());
+  const bool pressMayBeLost = losesPress(pause);
   const bool nobodyCanPress = std::exchange(buttonIsGone_, false);
   if (pause > kCommandsMayBeLost || pressMayBeLost || nobodyCanPress) stopDrives(false);
   const bool withheld = permit_.press == news_.press;
@@ -86,8 +84,16 @@ void Coordinator::noticePause() {
   newcomers_.fill(nullptr);
 }
 
-suture::Duration Coordinator::recentPause() const {
-  return suture::now() < pauseCountsUntil_ ? pause_ : suture::Duration{0};
+bool Coordinator::losesPress(suture::Duration pause) {
+  const suture::Time now = suture::now();
+  if (pause > kShortPause) {
+    pause_ = now - pauseEnded_ < kToldWithin ? std::max(pause, pause_) : pause;
+    pauseEnded_ = now;
+  }
+  const suture::Duration ago = now - pauseEnded_;
+  const suture::Duration harmless = std::exchange(harmlessPause_, kNobodyIsGone);
+  if (harmless == kNobodyIsGone) return false;
+  return ago < kToldAtOnce || (ago < kToldWithin && pause_ > harmless);
 }
 
 bool Coordinator::forgetNewcomer(const suture::ConnectedClient& client) {

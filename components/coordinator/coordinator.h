@@ -49,10 +49,14 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
                 suture::ClientNews news) override;
 
  private:
+  static constexpr suture::Duration kNobodyIsGone = suture::Duration::max();
+
   void begin(bool isStart);
   void stopDrives(bool isStart);
   void noticePause();
-  suture::Duration recentPause() const;
+  /// Returns true if a client has gone since the last cycle, and a pause may have lost its press;
+  /// `pause` is the time since that cycle.
+  bool losesPress(suture::Duration pause);
   bool forgetNewcomer(const suture::ConnectedClient& client);
   bool canBePressed() const;
 
@@ -62,9 +66,9 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
   bool buttonIsGone_ = false;         // since the last cycle
   bool pauseIsNoticed_ = false;       // the one before this cycle
   suture::Duration pause_{0};         // the longest of those that still count
-  suture::Time pauseCountsUntil_{};   // a client that goes until then may have pressed in it
-  // A longer pause may have lost a press of those that have gone since the last cycle.
-  suture::Duration harmlessPause_ = suture::Duration::max();
+  suture::Time pauseEnded_{};         // the last of them
+  // A longer pause may have lost a press of a client that has gone since the last cycle.
+  suture::Duration harmlessPause_ = kNobodyIsGone;
   // They have come since the last pause; one for which there is no place counts as earlier.
   std::array<const suture::ConnectedClient*, 16> newcomers_{};
   Permit permit_;

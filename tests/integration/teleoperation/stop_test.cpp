@@ -346,8 +346,8 @@ TEST_P(StopAcross, ALatecomersLostPressPressesIt) {
   EXPECT_FALSE(coordinator_.permit().granted);
 }
 
-// One that is cut off falls silent by itself; a pause that is short beside its silence has
-// swallowed no press of it. What a client sent right before it ended may not have been executed.
+// One that was cut off is told to be silent some time after the pause, which has swallowed no press
+// of it. What a client sent right before it ended may not have been executed.
 TEST_P(StopAcross, OnlyALongPauseLosesAPress) {
   const suture::ProvidedBase& stop = *coordinator_.provided().front();
   const suture::ConnectedClient first("far:Panel/Stop", kSilence);
@@ -358,11 +358,27 @@ TEST_P(StopAcross, OnlyALongPauseLosesAPress) {
   desksProcess_.freeze();
   pass(100ms);
   desksProcess_.thaw();
-  pass(10ms);
+  pass(150ms);
   coordinator_.onClient(stop, first, suture::ClientNews::Silent);
   pass(10ms);
   EXPECT_TRUE(coordinator_.permit().granted);
   coordinator_.onClient(stop, second, suture::ClientNews::Closed);
+  pass(10ms);
+  EXPECT_FALSE(coordinator_.permit().granted);
+}
+
+// Its heartbeats may have come late already, so a short pause was enough.
+TEST_P(StopAcross, AClientLostThenPressesIt) {
+  const suture::ProvidedBase& stop = *coordinator_.provided().front();
+  const suture::ConnectedClient late("far:Panel/Stop", kSilence);
+  coordinator_.onClient(stop, late, suture::ClientNews::Connected);
+  pass(10ms);
+  desksProcess_.freeze();
+  pass(60ms);
+  desksProcess_.thaw();
+  pass(50ms);
+  ASSERT_TRUE(coordinator_.permit().granted);
+  coordinator_.onClient(stop, late, suture::ClientNews::Silent);
   pass(10ms);
   EXPECT_FALSE(coordinator_.permit().granted);
 }
