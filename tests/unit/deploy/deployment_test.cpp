@@ -192,7 +192,9 @@ TEST(Deployment, ReadsTheContractsOfConnections) {
   using suture::ConnectionContract, suture::Fallback, suture::Resume;
   EXPECT_EQ(Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].options.contract,
             ConnectionContract{});
-  EXPECT_EQ(contractOf("{}"), ConnectionContract{});
+  // A contract of usual terms alone is one as well: its connection has a watch, and a report.
+  EXPECT_EQ(contractOf("{}"), ConnectionContract{.silence = ConnectionContract::kDefaultSilence});
+  EXPECT_NE(contractOf(R"({"on_loss": "hold", "silence": "0s"})"), ConnectionContract{});
   const ConnectionContract expected{.maxAge = 10ms,
                                     .deadline = 50ms,
                                     .onStale = Fallback::Zero,

@@ -218,7 +218,8 @@ ConnectionContract DeploymentReader::readContract(const json& connection,
           .silence = readSilence(*given, where + "/silence")};
 }
 
-// Zero stands for the silence that is usual.
+// Zero stands for the silence that is usual. That is stated here, because a contract without any
+// term would be none, and the file has one.
 Duration DeploymentReader::readSilence(const json& contract, const std::string& pointer) {
   constexpr Duration kShortest = ConnectionContract::kShortestSilence;
   const std::string text = contract.value("silence", "0s");
@@ -231,7 +232,7 @@ Duration DeploymentReader::readSilence(const json& contract, const std::string& 
                          "least " +
                          std::to_string(kShortest / std::chrono::milliseconds(1)) + "ms");
   }
-  return silence;
+  return silence == Duration{0} ? ConnectionContract::kDefaultSilence : silence;
 }
 
 // Reads a number and its unit, which the schema has checked.
