@@ -11,6 +11,7 @@
 
 #include "recorder/recording.h"
 #include "run/stop.h"
+#include "tables/losses.h"
 #include "tables/units.h"
 #include "timing/seconds.h"
 
@@ -37,9 +38,8 @@ suture::TaskReport taskOf(const std::vector<suture::Report>& reports, const std:
 /// come back.
 std::string whatWasLost(const CrewResult& result,
                         const std::vector<ConnectionReport>& connections) {
-  const auto lost = std::count_if(
-      connections.begin(), connections.end(),
-      [](const ConnectionReport& one) { return one.contract && one.contract->losses > 0; });
+  const auto lost = std::count_if(connections.begin(), connections.end(),
+                                  [](const ConnectionReport& one) { return lossesOf(one) > 0; });
   if (result.outage) return "had every connection again";
   if (lost == 0) return "lost nothing";
   return fmt::format("have again the {} that they lost",

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "run/connection_name.h"
+#include "tables/losses.h"
 #include "tables/short_names.h"
 #include "tables/units.h"
 
@@ -34,10 +35,10 @@ std::string count(std::uint64_t number) { return number == 0 ? "-" : fmt::format
 std::string capped(std::uint64_t number) { return number > 99 ? "99+" : fmt::format("{}", number); }
 
 /// Returns if the contract was kept; "-" if the connection has none.
-std::string stateOf(const std::optional<suture::ContractReport>& contract) {
-  if (!contract) return "-";
-  if (contract->losses > 0) return capped(contract->losses) + " lost";
-  return contract->staleReads > 0 ? capped(contract->staleReads) + " stale" : "kept";
+std::string stateOf(const ConnectionReport& one) {
+  if (!one.contract) return "-";
+  if (const std::uint64_t losses = lossesOf(one); losses > 0) return capped(losses) + " lost";
+  return one.contract->staleReads > 0 ? capped(one.contract->staleReads) + " stale" : "kept";
 }
 
 std::vector<std::string> ageCells(const char* what, const Distribution& age) {
@@ -53,7 +54,7 @@ void addConnection(Table& table, const std::string& name, const ConnectionReport
                                  count(one.replaced),
                                  count(one.dropped()),
                                  count(one.late),
-                                 stateOf(one.contract)};
+                                 stateOf(one)};
   const bool reads = one.readAge.count > 0;
   const auto first = reads ? ageCells("reads", one.readAge) : ageCells("commands", one.commandAge);
   cells.insert(cells.end(), first.begin(), first.end());
