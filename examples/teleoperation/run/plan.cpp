@@ -41,7 +41,7 @@ void setDynamics(json& component, const std::string& dynamics) {
 
 /// Without real-time priorities the permit of the emergency stop may be this old: on a busy machine
 /// a thread may wait that long for its processor.
-constexpr double kPatientPermit = 0.25;  // s
+constexpr std::chrono::milliseconds kPatientPermit{250};
 
 /// Removes from a process what the topology's file says of the scheduling of its threads, which
 /// this user may not have, and lets its drives accept older permits.
@@ -50,7 +50,18 @@ void giveUpRealTime(json& process) {
   for (json& component : process.at("components")) {
     component.erase("scheduling");
     const json::json_pointer permit("/parameters/permit");
-    if (component.contains(permit) && component[permit] > 0) component[permit] = kPatientPermit;
+    if (component.contains(permit) && component[permit] > 0) {
+      component[permit] = std::chrono::duration<double>(kPatientPermit).count();
+    }
+  }
+}
+
+/// Lets the contract of a connection that reads permits accept those that drives accept then.
+void acceptOlderPermits(json& connection) {
+  const json::json_pointer age("/contract/max_age");
+  const bool readsPermits = connection.at("to").get<std::string>().ends_with("/Stop");
+  if (readsPermits && connection.contains(age)) {
+    connection[age] = std::to_string(kPatientPermit.count()) + "ms";
   }
 }
 
@@ -118,7 +129,10 @@ std::filesystem::path write(const Options& options, const std::optional<Moment>&
     }
   }
   json& connections = *system.emplace("connections", json::array()).first;
-  for (json& connection : connections) setLane(connection, options.lane);
+  for (json& connection : connections) {
+    setLane(connection, options.lane);
+    if (!realTime) acceptOlderPermits(connection);
+  }
   auto file = folder / "deployment.json";
   std::ofstream(file) << system.dump(2) << '\n';
   return file;
