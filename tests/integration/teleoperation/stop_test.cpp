@@ -263,6 +263,24 @@ TEST_P(TwoButtons, ALostButtonPressesIt) {
   EXPECT_TRUE(isReleased());
 }
 
+TEST_P(TwoButtons, OneThatGoesEarlyKeepsItPressed) {
+  coordinator_.onRestart();  // nobody has released it since it began
+  pass(50ms);
+  const std::uint64_t heard = coordinator_.permit().press;
+  right().disconnect("Deputy/Stop");
+  pass(50ms);
+  EXPECT_TRUE(panel_.button.release(heard));
+  pass(50ms);
+  EXPECT_FALSE(isReleased()) << "it has been pressed by that since";
+  releaseByPanel();
+  EXPECT_FALSE(isReleased()) << "nobody could press the other one";
+  connectStop(right(), "Deputy");
+  pass(50ms);
+  EXPECT_FALSE(isReleased()) << "an operator has to decide it";
+  releaseByPanel();
+  EXPECT_TRUE(isReleased());
+}
+
 /// Runs only where the arms and the coordinator are in different processes.
 class StopAcross : public Stop {};
 INSTANTIATE_TEST_SUITE_P(Lanes, StopAcross,
