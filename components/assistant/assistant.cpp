@@ -22,6 +22,7 @@ Assistant::Assistant(const AssistantParameters& parameters)
   requireTime("patience", parameters.patience);
   stop_.on().stop([this](const StopNews& news) { hear(news); });
   console_.on().console_state([this](const ConsoleState& state) { hear(state); });
+  console_.on().system_use([this](const SystemUse& use) { use_ = use; });
   console_.on().warning([this](const suture::Message& warning) {
     if (warning.code == static_cast<std::uint32_t>(ArmWarning::PowerLost)) losePower();
   });
@@ -75,9 +76,7 @@ void Assistant::followScript(suture::Time now) {
       if (!stopNews_) return;
       if (isReleased())
         return enter(parameters_.press_after > suture::Duration{0} ? Step::Watch : Step::Done, now);
-      if (!stopNews_->is_start) return enter(Step::Done, now);  // somebody has pressed it
-      if (mayAskAgain(now)) (void)stop_.release(stopNews_->press);
-      return;
+      return releaseStart(now);
     case Step::Watch:
       if (since < parameters_.press_after || isPressed()) return;
       if (stop_.press()) enter(Step::Pressed, now);
@@ -97,6 +96,24 @@ void Assistant::enter(Step step, suture::Time now) {
   stepped_ = now;
   asked_ = {};
   pressesHeard_ = 0;
+}
+
+void Assistant::releaseStart(suture::Time now) {
+  const auto isFirst = isOfTheFirstStart();
+  if (!isFirst) return;
+  if (!*isFirst) return enter(Step::Done, now);
+  firstPress_ = stopNews_->press;
+  if (mayAskAgain(now)) (void)stop_.release(stopNews_->press);
+}
+
+// What was found once counts, because a release makes the arms used before its news are here.
+std::optional<bool> Assistant::isOfTheFirstStart() {
+  if (!stopNews_->is_start) return false;
+  if (firstPress_ == stopNews_->press) return true;
+  if (console_.isAbsent()) return true;
+  if (use_ == SystemUse::Used) return false;
+  if (use_ == SystemUse::Unused && console_.connected()) return true;
+  return std::nullopt;
 }
 
 bool Assistant::mayAskAgain(suture::Time now) {

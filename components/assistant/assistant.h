@@ -30,8 +30,10 @@ struct SUTURE_TYPE() AssistantParameters {
 };
 
 /// If the stop with which a coordinator starts is pressed when the assistant starts, it releases
-/// that. By the script it presses the stop once and releases it. It releases no stop that somebody
-/// else has pressed later, and presses none that is pressed already.
+/// that, once a console has said that no arm has been used before: else both may have been
+/// restarted, and somebody may have pressed before. Without a console it does not know that, and
+/// releases it. By the script it presses the stop once and releases it. It releases no stop that
+/// somebody else has pressed later, and presses none that is pressed already.
 ///
 /// Arms lose their power by a stop, or, as a console says, because their drives stopped by
 /// themselves. After each loss the assistant once enables what waits for its arms because of it. If
@@ -61,6 +63,10 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
 
   void followScript(suture::Time now);
   void enter(Step step, suture::Time now);
+  void releaseStart(suture::Time now);
+  /// Returns true if nobody can have pressed the stop with which the coordinator starts, neither
+  /// that coordinator's nor an earlier one's; none while that is not known.
+  std::optional<bool> isOfTheFirstStart();
   bool mayAskAgain(suture::Time now);
   template <class Contract>
   void attend(suture::Required<Contract>& one, Waiting& waiting, suture::Time now);
@@ -78,14 +84,16 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
   SUTURE_REQUIRED(optional()) suture::Required<Guidance> guidance_{*this, "Guidance"};
 
   Step step_ = Step::Begin;
-  suture::Time stepped_;              // when this step began
-  suture::Time asked_;                // when it last asked for what ends this step
-  std::optional<StopNews> stopNews_;  // the last, of anybody; none before the first
-  suture::Time released_;             // when that was released last
-  suture::Time lost_;                 // when power was lost last
-  unsigned pressesHeard_ = 0;         // since it has pressed itself
-  bool isDown_ = false;               // the system
-  bool wasUp_ = false;                // the system, at any time
+  suture::Time stepped_;                     // when this step began
+  suture::Time asked_;                       // when it last asked for what ends this step
+  std::optional<StopNews> stopNews_;         // the last, of anybody; none before the first
+  suture::Time released_;                    // when that was released last
+  suture::Time lost_;                        // when power was lost last
+  unsigned pressesHeard_ = 0;                // since it has pressed itself
+  std::optional<std::uint64_t> firstPress_;  // of a coordinator that was the first
+  SystemUse use_ = SystemUse::Unknown;
+  bool isDown_ = false;  // the system
+  bool wasUp_ = false;   // the system, at any time
   Waiting consoleWaits_, leftWaits_, rightWaits_, guidanceWaits_;
 };
 

@@ -17,6 +17,14 @@ enum class SUTURE_TYPE() ConsoleState : std::uint8_t {
   Leaving,     ///< bring_down() is under way, or a bring-up that failed is taken back
 };
 
+/// Says if the arms of a system have had power since their processes began. Then somebody may have
+/// pressed the emergency stop before its coordinator began, which does not know of it.
+enum class SUTURE_TYPE() SystemUse : std::uint8_t {
+  Unknown,  ///< some arm has not said it
+  Unused,   ///< none has been permitted power
+  Used,
+};
+
 /// Commands run in the console's own thread before its next cycle. Status, warning and error are
 /// the standard messages: they say what is missing, and which part did not do what it was asked. A
 /// warning with the code of ArmWarning::PowerLost (arm/arm_warning.h) names an arm whose drives
@@ -39,6 +47,8 @@ class SUTURE_INTERFACE() Console : public suture::Messages {
   /// Reports each change, and the last one to a client that connects.
   SUTURE_EVENT(latched(), name("console_state"))
   suture::EventOf<ConsoleState> console_state_event;
+  /// Reports each change, and the present one to a client that connects.
+  SUTURE_EVENT(latched()) suture::EventOf<SystemUse> system_use;
 };
 
 }  // namespace robots

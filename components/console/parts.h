@@ -41,6 +41,7 @@ class ArmPart {
  public:
   explicit ArmPart(suture::Required<Arm>& arm) : arm_(arm), hearing_(arm) {
     arm_.on().operating_state([this](const OperatingState& state) {
+      heard_ = true;
       state_ = state.state;
       // It could not say what took its power while it was cut off.
       if (std::exchange(wasCutOff_, false)) lostPower_ = lostPower_ || state_ == ArmState::Disabled;
@@ -62,8 +63,13 @@ class ArmPart {
     if (hearing_.look()) return;
     if (state_ == ArmState::Enabled) lostPower_ = wasCutOff_ = true;
     state_ = ArmState::Undefined;
-    homed_ = busy_ = false;
+    heard_ = homed_ = busy_ = false;
   }
+  /// Returns true if it has reported its state.
+  bool isHeard() const { return hearing_.counts() && heard_; }
+  /// Returns true if it has been permitted power since its process began, because an arm leaves
+  /// UNDEFINED by nothing else, and homes with power. Drives that need no permit have it at once.
+  bool wasUsed() const { return isHeard() && (homed_ || state_ != ArmState::Undefined); }
   /// Returns true if it has reported its state, and may have power.
   bool isThere() const { return hearing_.counts() && state_ != ArmState::Undefined; }
   bool isEnabled() const { return hearing_.counts() && state_ == ArmState::Enabled; }
@@ -98,6 +104,7 @@ class ArmPart {
   suture::Required<Arm>& arm_;
   Hearing hearing_;
   ArmState state_ = ArmState::Undefined;
+  bool heard_ = false;
   bool homed_ = false;
   bool busy_ = false;
   bool hasMoved_ = false;  // since the bring-up began

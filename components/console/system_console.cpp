@@ -3,6 +3,7 @@
 #include <suture/base/errors.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "parameters/valid_time.h"
 
@@ -124,6 +125,7 @@ void SystemConsole::run() {
     for (ArmPart* one : arms_) one->goOn();  // so that they are asked to home again
   }
   tellLostPower();
+  tellUse();
   takeStep();
   for (ArmPart* one : arms_) one->endCycle();
 }
@@ -163,6 +165,17 @@ void SystemConsole::tellLostPower() {
     text_.assign(one->name()).append(" has no power, may not have it, or is cut off");
     messages_.warning(text_, static_cast<std::uint32_t>(ArmWarning::PowerLost));
   }
+}
+
+// A console that has seen its system used keeps that in mind, because arms may be restarted too.
+void SystemConsole::tellUse() {
+  if (use_ == SystemUse::Used) return;
+  const auto isHeard = [](const ArmPart* one) { return one->isHeard(); };
+  const auto wasUsed = [](const ArmPart* one) { return one->wasUsed(); };
+  SystemUse use = SystemUse::Unknown;
+  if (std::all_of(arms_.begin(), arms_.end(), isHeard)) use = SystemUse::Unused;
+  if (std::any_of(arms_.begin(), arms_.end(), wasUsed)) use = SystemUse::Used;
+  if (std::exchange(use_, use) != use) console_.emit().system_use(use);
 }
 
 // Enables one arm after the other: the next gets power when the one before it holds.

@@ -59,6 +59,7 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   std::string_view missing();
   void nameMissing(std::string_view name, std::string_view what);
   void tellLostPower();
+  void tellUse();
   void takeStep();
   void beginByItself();
   void enableNext();
@@ -98,6 +99,7 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   bool released_ = false;  // the stop, as it was reported
   bool byItself_;
   ConsoleState state_ = ConsoleState::Down;
+  SystemUse use_ = SystemUse::Unknown;
   std::size_t done_ = 0;             // parts that are enabled, or have been left
   bool allHome_ = false;             // in this bring-up
   suture::Time deadline_;            // for what is asked now

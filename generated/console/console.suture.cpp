@@ -23,6 +23,10 @@ static_assert(static_cast<std::uint8_t>(ConsoleState::Homing) == 2);
 static_assert(static_cast<std::uint8_t>(ConsoleState::Up) == 3);
 static_assert(static_cast<std::uint8_t>(ConsoleState::Incomplete) == 4);
 static_assert(static_cast<std::uint8_t>(ConsoleState::Leaving) == 5);
+static_assert(std::is_same_v<std::underlying_type_t<SystemUse>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(SystemUse::Unknown) == 0);
+static_assert(static_cast<std::uint8_t>(SystemUse::Unused) == 1);
+static_assert(static_cast<std::uint8_t>(SystemUse::Used) == 2);
 
 }  // namespace
 
@@ -39,6 +43,16 @@ bool isKnownConsoleState(std::uint8_t slot) {
   return false;
 }
 
+bool isKnownSystemUse(std::uint8_t slot) {
+  switch (static_cast<SystemUse>(slot)) {
+    case SystemUse::Unknown:
+    case SystemUse::Unused:
+    case SystemUse::Used:
+      return true;
+  }
+  return false;
+}
+
 // Defined in console/console.wire.cpp.
 const suture::codec::Codec& consoleCodec();
 
@@ -50,6 +64,10 @@ bool acceptsConsoleConsoleStateResult(const std::uint8_t& slot, suture::FieldPat
 
 bool acceptsConsoleConsoleStateEvent(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownConsoleState(slot);
+}
+
+bool acceptsConsoleSystemUseEvent(const std::uint8_t& slot, suture::FieldPath*) {
+  return isKnownSystemUse(slot);
 }
 
 constexpr suture::CommandInfo kConsoleCommands[] = {
@@ -69,13 +87,18 @@ constexpr suture::EventInfo kConsoleEvents[] = {
      .depth = 16,
      .latched = true,
      .accepts = suture::checkSlot<std::uint8_t, acceptsConsoleConsoleStateEvent>},
+    {.name = "system_use",
+     .payloadSize = suture::slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true,
+     .accepts = suture::checkSlot<std::uint8_t, acceptsConsoleSystemUseEvent>},
 };
 
 // The self-description, as in console/console.suture.json.
 constexpr char kConsoleDescription[] = R"json(
 {"name": "robots::Console",
 "doc": "Commands run in the console's own thread before its next cycle. Status, warning and error are\nthe standard messages: they say what is missing, and which part did not do what it was asked. A\nwarning with the code of ArmWarning::PowerLost (arm/arm_warning.h) names an arm whose drives\nhave lost their power, or may not have it.",
-"hash": "28ab859eb18567f90efa935a80d07299", "base": "suture::Messages", "commands": [{
+"hash": "3b681b6035d50f206d1cfcd269c5e926", "base": "suture::Messages", "commands": [{
 "name": "bring_up", "kind": "void", "ordinal": 1, "wire": "bringUp",
 "doc": "Brings the system up. It is refused, with an error that names each reason, unless the console\nis down, every part of the system is there, no arm is in FAULT, and the emergency stop is\nreleased.",
 "queue": 16}, {"name": "bring_down", "kind": "void", "ordinal": 2, "wire": "bringDown",
@@ -94,16 +117,23 @@ constexpr char kConsoleDescription[] = R"json(
 "from": "suture::Messages"}, {"name": "console_state", "kind": "write", "ordinal": 4,
 "wire": "consoleState", "doc": "Reports each change, and the last one to a client that connects.",
 "payload": {"type": {"kind": "enum", "name": "robots::ConsoleState"}}, "queue": 16, "latched": true
-}], "enums": [{"name": "robots::ConsoleState", "underlying": "UInt8", "enumerators": [{
-"name": "Down", "value": 0, "wire": "down", "doc": "until bring_up()"}, {"name": "Enabling",
-"value": 1, "wire": "enabling", "doc": "the arms get power, one after the other"}, {
-"name": "Homing", "value": 2, "wire": "homing", "doc": "they move to their home positions"}, {
-"name": "Up", "value": 3, "wire": "up", "doc": "the arms are ready, and what moves them is enabled"
-}, {"name": "Incomplete", "value": 4, "wire": "incomplete",
-"doc": "it was up, and a part is missing or not ready; up again when all are"}, {"name": "Leaving",
-"value": 5, "wire": "leaving",
-"doc": "bring_down() is under way, or a bring-up that failed is taken back"}]}], "structs": [{
-"name": "suture::Message", "fields": [{"name": "text",
+}, {"name": "system_use", "kind": "write", "ordinal": 5, "wire": "systemUse",
+"doc": "Reports each change, and the present one to a client that connects.", "payload": {"type": {
+"kind": "enum", "name": "robots::SystemUse"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "robots::ConsoleState", "underlying": "UInt8", "enumerators": [{"name": "Down", "value": 0,
+"wire": "down", "doc": "until bring_up()"}, {"name": "Enabling", "value": 1, "wire": "enabling",
+"doc": "the arms get power, one after the other"}, {"name": "Homing", "value": 2, "wire": "homing",
+"doc": "they move to their home positions"}, {"name": "Up", "value": 3, "wire": "up",
+"doc": "the arms are ready, and what moves them is enabled"}, {"name": "Incomplete", "value": 4,
+"wire": "incomplete", "doc": "it was up, and a part is missing or not ready; up again when all are"
+}, {"name": "Leaving", "value": 5, "wire": "leaving",
+"doc": "bring_down() is under way, or a bring-up that failed is taken back"}]}, {
+"name": "robots::SystemUse",
+"doc": "Says if the arms of a system have had power since their processes began. Then somebody may have\npressed the emergency stop before its coordinator began, which does not know of it.",
+"underlying": "UInt8", "enumerators": [{"name": "Unknown", "value": 0, "wire": "unknown",
+"doc": "some arm has not said it"}, {"name": "Unused", "value": 1, "wire": "unused",
+"doc": "none has been permitted power"}, {"name": "Used", "value": 2, "wire": "used"}]}],
+"structs": [{"name": "suture::Message", "fields": [{"name": "text",
 "doc": "The text is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.",
 "type": {"kind": "text", "capacity": 255}}, {"name": "code",
 "doc": "Says what it is about, by numbers that its sender documents; 0 means nothing in particular.",
@@ -142,13 +172,17 @@ constexpr char kConsoleDescription[] = R"json(
 "name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
 "at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {
 "at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "consoleState", "parameters": [{
-"at": 0, "name": "value", "is": "@0xe5858b1b3b511bbf"}, {"at": 1, "name": "stamp", "is": "Int64"}]}
-]}, {"id": "@0xc2af8ce57e1b558c", "kind": "struct", "name": "ConsoleStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"at": 0, "name": "value", "is": "@0xe5858b1b3b511bbf"}, {"at": 1, "name": "stamp", "is": "Int64"}]
+}, {"at": 5, "name": "systemUse", "parameters": [{"at": 0, "name": "value",
+"is": "@0xc3ffdfe7b8f7c55c"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xc2af8ce57e1b558c", "kind": "struct", "name": "ConsoleStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
 "name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "consoleState", "is": "@0xe5858b1b3b511bbf"}
 ]}, {"id": "@0xe5858b1b3b511bbf", "kind": "enum", "name": "ConsoleState", "members": [{"at": 0,
 "name": "down"}, {"at": 1, "name": "enabling"}, {"at": 2, "name": "homing"}, {"at": 3, "name": "up"
-}, {"at": 4, "name": "incomplete"}, {"at": 5, "name": "leaving"}]}]})json";
+}, {"at": 4, "name": "incomplete"}, {"at": 5, "name": "leaving"}]}, {"id": "@0xc3ffdfe7b8f7c55c",
+"kind": "enum", "name": "SystemUse", "members": [{"at": 0, "name": "unknown"}, {"at": 1,
+"name": "unused"}, {"at": 2, "name": "used"}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -157,11 +191,11 @@ namespace suture {
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Console>() {
-  static const auto kEvents = extended<4>(interfaceInfo<suture::Messages>().events,
+  static const auto kEvents = extended<5>(interfaceInfo<suture::Messages>().events,
                                           robots::kConsoleEvents);
   static const InterfaceInfo kInfo{
       .name = "robots::Console",
-      .hash = "28ab859eb18567f90efa935a80d07299",
+      .hash = "3b681b6035d50f206d1cfcd269c5e926",
       .description = robots::kConsoleDescription,
       .commands = robots::kConsoleCommands,
       .events = kEvents,

@@ -16,6 +16,7 @@
 namespace robots {
 
 bool isKnownConsoleState(std::uint8_t slot);
+bool isKnownSystemUse(std::uint8_t slot);
 
 /// Numbers the commands of Console.
 struct ConsoleCommand {
@@ -27,6 +28,7 @@ struct ConsoleCommand {
 /// Numbers the events of Console, behind those that it inherits.
 struct ConsoleEvent {
   static constexpr std::uint16_t console_state = 3;
+  static constexpr std::uint16_t system_use = 4;
 };
 
 /// Numbers the reads of Console as a row of the state has them.
@@ -69,11 +71,15 @@ class Required<robots::Console> : public Required<suture::Messages> {
   struct Events : Required<suture::Messages>::Events {
     explicit Events(RequiredBase& required)
         : Required<suture::Messages>::Events(required),
-          console_state{required, EventId::console_state} {}
+          console_state{required, EventId::console_state},
+          system_use{required, EventId::system_use} {}
 
     /// Reports each change, and the last one to a client that connects.
     /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
     Subscription<std::uint8_t, robots::ConsoleState> console_state;
+    /// Reports each change, and the present one to a client that connects.
+    /// At a subscriber up to 16 wait. Who subscribes later gets the last one.
+    Subscription<std::uint8_t, robots::SystemUse> system_use;
   };
   Events& on() { return events_; }
 
@@ -100,10 +106,13 @@ class Provided<robots::Console> : public Provided<suture::Messages> {
   struct Events : Provided<suture::Messages>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<suture::Messages>::Events(provided),
-          console_state{provided, EventId::console_state} {}
+          console_state{provided, EventId::console_state},
+          system_use{provided, EventId::system_use} {}
 
     /// Reports each change, and the last one to a client that connects.
     Emitter<std::uint8_t, robots::ConsoleState> console_state;
+    /// Reports each change, and the present one to a client that connects.
+    Emitter<std::uint8_t, robots::SystemUse> system_use;
   };
   Events& emit() { return events_; }
 

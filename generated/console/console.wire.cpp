@@ -48,6 +48,27 @@ suture::Errc fromWire(wire::ConsoleState in, std::uint8_t& slot) {
   return suture::Errc::Invalid;
 }
 
+wire::SystemUse wireSystemUse(std::uint8_t slot) {
+  switch (static_cast<SystemUse>(slot)) {
+    case SystemUse::Unknown: return wire::SystemUse::UNKNOWN;
+    case SystemUse::Unused: return wire::SystemUse::UNUSED;
+    case SystemUse::Used: return wire::SystemUse::USED;
+  }
+  return wire::SystemUse{};
+}
+
+suture::Errc fromWire(wire::SystemUse in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::SystemUse::UNKNOWN: return slot =
+        static_cast<std::uint8_t>(SystemUse::Unknown), suture::Errc{};
+    case wire::SystemUse::UNUSED: return slot =
+        static_cast<std::uint8_t>(SystemUse::Unused), suture::Errc{};
+    case wire::SystemUse::USED: return slot =
+        static_cast<std::uint8_t>(SystemUse::Used), suture::Errc{};
+  }
+  return suture::Errc::Invalid;
+}
+
 // --- Console as Cap'n Proto
 
 namespace {
@@ -94,6 +115,15 @@ void encodeConsoleConsoleStateEvent(const std::uint8_t& slot,
 }
 suture::Errc decodeConsoleConsoleStateEvent(wire::ConsoleEvents::ConsoleStateParams::Reader in,
                                             std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeConsoleSystemUseEvent(const std::uint8_t& slot,
+                                 wire::ConsoleEvents::SystemUseParams::Builder out) {
+  out.setValue(wireSystemUse(slot));
+}
+suture::Errc decodeConsoleSystemUseEvent(wire::ConsoleEvents::SystemUseParams::Reader in,
+                                         std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -156,6 +186,10 @@ constexpr suture::codec::EventCodec kConsoleEventCodecs[] = {
      .payload = suture::codec::messageOf<wire::ConsoleEvents::ConsoleStateParams, std::uint8_t,
                                          encodeConsoleConsoleStateEvent,
                                          decodeConsoleConsoleStateEvent>},
+    {.method = 5,
+     .stamp = suture::codec::stampIn<wire::ConsoleEvents::SystemUseParams>,
+     .payload = suture::codec::messageOf<wire::ConsoleEvents::SystemUseParams, std::uint8_t,
+                                         encodeConsoleSystemUseEvent, decodeConsoleSystemUseEvent>},
 };
 
 }  // namespace

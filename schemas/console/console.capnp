@@ -57,6 +57,9 @@ interface ConsoleEvents @0x84a81ff77b719ad6 $Meta.eventsOf("robots::Console") {
   consoleState @4 (value :ConsoleState, stamp :Int64) -> () $Meta.cxx("console_state")
       $Meta.latched $Meta.queue(16);
   # Reports each change, and the last one to a client that connects.
+  systemUse @5 (value :SystemUse, stamp :Int64) -> () $Meta.cxx("system_use") $Meta.latched
+      $Meta.queue(16);
+  # Reports each change, and the present one to a client that connects.
 }
 
 struct ConsoleStateRow @0xc2af8ce57e1b558c $Meta.stateOf("robots::Console") {
@@ -69,4 +72,15 @@ struct ConsoleStateRow @0xc2af8ce57e1b558c $Meta.stateOf("robots::Console") {
   tooLarge @2 :UInt64;
   # Bit i: column i did not fit its declared capacity.
   consoleState @3 :ConsoleState $Meta.cxx("console_state");
+}
+
+enum SystemUse @0xc3ffdfe7b8f7c55c $Meta.cxx("robots::SystemUse") $Meta.underlying("UInt8") {
+  # Says if the arms of a system have had power since their processes began. Then somebody may have
+  # pressed the emergency stop before its coordinator began, which does not know of it.
+
+  unknown @0 $Meta.cxx("Unknown") $Meta.value(0);
+  # some arm has not said it
+  unused @1 $Meta.cxx("Unused") $Meta.value(1);
+  # none has been permitted power
+  used @2 $Meta.cxx("Used") $Meta.value(2);
 }
