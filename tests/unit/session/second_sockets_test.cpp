@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <suture/loop/failure.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -38,14 +39,26 @@ class SocketOpener : public reference::PlayedClient {
   }
 };
 
-/// SecondSockets have both ends of each socket in this process.
+/// Both ends of each socket are in this process.
+void allowManySockets() {
+  rlimit limit{};
+  getrlimit(RLIMIT_NOFILE, &limit);
+  limit.rlim_cur = std::min<rlim_t>(std::max<rlim_t>(limit.rlim_cur, 4096), limit.rlim_max);
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 struct SecondSockets : RemoteArm {
   void SetUp() override {
-    rlimit limit{};
-    getrlimit(RLIMIT_NOFILE, &limit);
-    limit.rlim_cur = std::min<rlim_t>(std::max<rlim_t>(limit.rlim_cur, 4096), limit.rlim_max);
-    setrlimit(RLIMIT_NOFILE, &limit);
+    allowManySockets();
     begin("tcp://127.0.0.1:0");
+  }
+};
+
+/// Each peer proves which user runs it, and all are run by the same.
+struct SecondSocketsOfAUser : RemoteArm {
+  void SetUp() override {
+    allowManySockets();
+    begin(unixAddress());
   }
 };
 
@@ -74,6 +87,19 @@ TEST_F(SecondSockets, OfAllSessionsAreBounded) {
   const std::vector<net::ByteStream> more = second.open(24);
   const std::string refused = refusal([&] { second.open(); });
   EXPECT_TRUE(contains(refused, "it has 1024 of them, and no process has more")) << refused;
+  EXPECT_TRUE(contains(robot->refusals().latest, refused)) << robot->refusals().latest;
+  held.clear();
+  EXPECT_TRUE(eventually([&] { return refusal([&] { second.open(); }).empty(); }));
+}
+
+TEST_F(SecondSocketsOfAUser, AreBoundedOverItsSessions) {
+  SocketOpener first(manager()), second(manager());
+  std::vector<net::ByteStream> held = first.open(500);
+  const std::vector<net::ByteStream> more = second.open(12);
+  const std::string refused = refusal([&] { second.open(); });
+  const std::string user = "user " + std::to_string(geteuid());
+  EXPECT_TRUE(contains(refused, "512 of them are with " + user + ", and no peer has more"))
+      << refused;
   EXPECT_TRUE(contains(robot->refusals().latest, refused)) << robot->refusals().latest;
   held.clear();
   EXPECT_TRUE(eventually([&] { return refusal([&] { second.open(); }).empty(); }));

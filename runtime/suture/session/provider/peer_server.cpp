@@ -140,8 +140,7 @@ kj::Promise<void> PeerServer::awaitSocket(LaneServer& lane, SocketContext& conte
   const auto expected = sockets_.await(lane);
   if (!expected) {
     return peer_.fail("open a second connection to process '" + shared_.directory.process() +
-                      "': it has " + std::to_string(shared_.secondSockets.most()) +
-                      " of them, and no process has more. End some of its peers.");
+                      "': " + expected.error());
   }
   context.getResults().setNumber(expected->number);
   context.getResults().setToken(

@@ -3,20 +3,22 @@
 
 #include <suture/framing/link_server.h>
 #include <suture/lane/lanes.h>
-#include <suture/session/provider/limits/places.h>
+#include <suture/session/provider/limits/shared_places.h>
 #include <suture/session/provider/shared/awaited_sockets.h>
 
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
+#include <string>
+#include <tl/expected.hpp>
 
 namespace suture {
 
 /// Belongs to the control thread. `awaited` and `places` serve all peers, and outlive this.
 class SecondSockets {
  public:
-  SecondSockets(AwaitedSockets& awaited, Places& places, std::shared_ptr<framing::Caller> caller)
+  SecondSockets(AwaitedSockets& awaited, SharedPlaces& places,
+                std::shared_ptr<framing::Caller> caller)
       : awaited_(awaited), places_(places), caller_(std::move(caller)) {}
 
   /// The peer has to show the token on the socket, and to name the number later.
@@ -24,13 +26,13 @@ class SecondSockets {
     std::uint32_t number;
     framing::Token token;
   };
-  /// Awaits a socket, which `lane` gets when it comes. Returns nothing if no place is free. Throws
+  /// Awaits a socket, which `lane` gets when it comes; or returns why no place is free. Throws
   /// SetupError if the kernel refuses.
-  std::optional<Expected> await(LaneServer& lane);
+  tl::expected<Expected, std::string> await(LaneServer& lane);
 
  private:
   AwaitedSockets& awaited_;
-  Places& places_;
+  SharedPlaces& places_;
   const std::shared_ptr<framing::Caller> caller_;
   std::map<std::uint32_t, kj::Own<AwaitedSockets::Awaiting>> onTheirWay_;  // by number
   std::uint32_t latest_ = 0;

@@ -16,6 +16,7 @@ class Places {
   explicit Places(std::size_t most) : most_(most) {}
 
   std::size_t most() const { return most_; }
+  bool allFree() const { return *taken_ == 0; }
   bool anyFree() const { return *taken_ < most_; }
   /// Call it only when there is a free one.
   Place take() {

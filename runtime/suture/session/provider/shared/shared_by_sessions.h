@@ -8,7 +8,7 @@
 #include <suture/net/refusals.h>
 #include <suture/session/ledgers.h>
 #include <suture/session/provider/limits/channel_memory.h>
-#include <suture/session/provider/limits/places.h>
+#include <suture/session/provider/limits/shared_places.h>
 #include <suture/session/provider/shared/awaited_sockets.h>
 #include <suture/session/provider/shared/latest_connections.h>
 #include <suture/session/provider/shared/served_channels.h>
@@ -35,7 +35,8 @@ struct SharedBySessions : ServingProcess {
   explicit SharedBySessions(ServingProcess process) : ServingProcess(std::move(process)) {}
 
   /// A session has one for each lane that needs it, and one for each connection of large values.
-  static constexpr std::size_t kMostSecondSockets = 1024;
+  /// All sessions of one peer leave half of them to others.
+  static constexpr SharedPlaces::Limits kMostSecondSockets{.all = 1024, .ofOne = 512};
 
   loop::Milestone published{};  ///< what is not in the directory then does not exist
   Ledgers ledgers{ConnectionEnd::Provider};
@@ -43,8 +44,8 @@ struct SharedBySessions : ServingProcess {
   ChannelMemory memory{};
   ServedChannels channels{directory, ledgers};
   AwaitedSockets sockets{};
-  Places secondSockets{kMostSecondSockets};     ///< those that are awaited included
-  net::Refusals refusals{directory.process()};  ///< any thread reads how many there were
+  SharedPlaces secondSockets{kMostSecondSockets};  ///< those that are awaited included
+  net::Refusals refusals{directory.process()};     ///< any thread reads how many there were
 };
 
 }  // namespace suture
