@@ -209,7 +209,8 @@ std::unique_ptr<PeerHost> Network::listen() {
   const std::string& process = directory_.process();
   try {
     return std::make_unique<PeerHost>(
-        ServingProcess{control_, lanes_, directory_, threads_, incarnation_, security_.policy},
+        ServingProcess{control_, lanes_, directory_, threads_, incarnation_, security_.policy,
+                       security_.connectionMemory},
         peerAddress(*link_, process, port_), security_.trust());
   } catch (const SetupError& error) {
     if (port_ == 0) throw;

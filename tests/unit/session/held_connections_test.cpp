@@ -107,7 +107,8 @@ TEST_F(HeldConnectionsTest, MemoryBeyondTheLimitIsRefused) {
     HeldConnections::Room room;
     EXPECT_FALSE(held_->whyNoPlace(kArm, room));
     std::vector<std::optional<Refusal>> all;
-    for (const std::size_t bytes : {ChannelMemory::kLimits.peer + 1, ChannelMemory::kLimits.peer}) {
+    const std::size_t most = shared_->connectionMemory.peer;
+    for (const std::size_t bytes : {most + 1, most}) {
       all.push_back(held_->whyNoMemory(kArm, room, bytes));
     }
     return all;

@@ -6,6 +6,7 @@
 #include <suture/component/task/task.h>
 #include <suture/deploy/document/json_document.h>
 #include <suture/manager/manager.h>
+#include <suture/names/security.h>
 #include <suture/rt/scheduling.h>
 #include <suture/session/connect_options.h>
 #include <suture/wiring/endpoint.h>
@@ -46,6 +47,8 @@ struct ProcessEntry {
   std::optional<BlackBoxEntry> blackBox;
   std::optional<rt::Scheduling> scheduling;  ///< how threads that carry connections are scheduled
   std::uint16_t port = 0;  ///< where others reach it; 0: one that the kernel takes
+  /// The connections of one peer, and of all, may take this memory, in bytes.
+  framing::PeerBudget::Limits peerMemory = Security::kConnectionMemory;
   bool lockMemory = false;
   bool realTimeRequired = false;  ///< it is an error if the machine refuses any of it
   std::string pointer;            ///< where the document describes it

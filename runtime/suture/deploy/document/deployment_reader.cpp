@@ -3,6 +3,7 @@
 #include <suture/lane/lanes.h>
 #include <suture/net/address.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -51,6 +52,7 @@ std::vector<ProcessEntry> DeploymentReader::processes() {
                          .blackBox = readBlackBox(given, pointer),
                          .scheduling = readScheduling(given, pointer),
                          .port = given.value("port", std::uint16_t{0}),
+                         .peerMemory = readPeerMemory(given, pointer),
                          .lockMemory = given.value("lock_memory", false),
                          .realTimeRequired = given.value("real_time", "preferred") == "required",
                          .pointer = pointer};
@@ -62,6 +64,28 @@ std::vector<ProcessEntry> DeploymentReader::processes() {
     processes.push_back(std::move(process));
   }
   return processes;
+}
+
+framing::PeerBudget::Limits DeploymentReader::readPeerMemory(const json& process,
+                                                             const std::string& pointer) {
+  framing::PeerBudget::Limits limits = Security::kConnectionMemory;
+  const auto given = process.find("peer_memory");
+  if (given == process.end()) return limits;
+  constexpr std::size_t kMebibyte = std::size_t{1} << 20;
+  const auto read = [&](const char* name, std::size_t& bytes) {
+    bytes = given->value(name, bytes / kMebibyte) * kMebibyte;
+  };
+  read("of_all", limits.process);
+  if (!given->contains("of_one")) limits.peer = std::min(limits.peer, limits.process);
+  read("of_one", limits.peer);
+  if (limits.peer > limits.process) {
+    problems_.report(pointer + "/peer_memory",
+                     "one peer may take " + std::to_string(limits.peer / kMebibyte) +
+                         " MiB for its connections, and all together only " +
+                         std::to_string(limits.process / kMebibyte) +
+                         " MiB; let \"of_one\" be at most \"of_all\"");
+  }
+  return limits;
 }
 
 ComponentEntry DeploymentReader::readComponent(const json& component, const std::string& pointer) {

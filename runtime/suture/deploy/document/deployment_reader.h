@@ -27,6 +27,8 @@ class DeploymentReader {
                                            const std::string& pointer);
   std::optional<BlackBoxEntry> readBlackBox(const nlohmann::json& process,
                                             const std::string& pointer);
+  framing::PeerBudget::Limits readPeerMemory(const nlohmann::json& process,
+                                             const std::string& pointer);
   std::optional<rt::Scheduling> readScheduling(const nlohmann::json& owner,
                                                const std::string& pointer);
   Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,

@@ -9,6 +9,7 @@ namespace suture {
 Security securityOf(const Deployment& deployment, const ProcessEntry& process,
                     std::vector<std::string>& warnings) {
   Security ours;
+  ours.connectionMemory = process.peerMemory;
   if (!deployment.policy().empty()) ours.policy = readPolicy(deployment.policy());
   if (deployment.keys().empty()) return ours;
   try {

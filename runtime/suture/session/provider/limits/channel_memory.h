@@ -17,11 +17,9 @@ namespace suture {
 /// that hangs or is stopped keeps them; those of a device are swept by the control thread.
 class ChannelMemory {
  public:
-  static constexpr framing::PeerBudget::Limits kLimits{.peer = std::size_t{2} << 30,
-                                                       .process = std::size_t{4} << 30};
   using Share = std::shared_ptr<framing::PeerBudget::Share>;
 
-  explicit ChannelMemory(const framing::PeerBudget::Limits& limits = kLimits)
+  explicit ChannelMemory(const framing::PeerBudget::Limits& limits)
       : budget_(std::make_shared<framing::PeerBudget>(limits)) {}
 
   /// Returns what counts for one connection of that peer; it holds nothing yet.

@@ -4,7 +4,7 @@
 #include <suture/lane/lanes.h>
 #include <suture/loop/control_thread.h>
 #include <suture/loop/milestone.h>
-#include <suture/names/policy.h>
+#include <suture/names/security.h>
 #include <suture/net/refusals.h>
 #include <suture/session/ledgers.h>
 #include <suture/session/provider/limits/channel_memory.h>
@@ -28,6 +28,7 @@ struct ServingProcess {
   ServiceThreads& threads;
   std::uint64_t incarnation;
   Policy policy;
+  framing::PeerBudget::Limits connectionMemory = Security::kConnectionMemory;
 };
 
 /// Belongs to the control thread except where noted.
@@ -41,7 +42,7 @@ struct SharedBySessions : ServingProcess {
   loop::Milestone published{};  ///< what is not in the directory then does not exist
   Ledgers ledgers{ConnectionEnd::Provider};
   LatestConnections latest{};
-  ChannelMemory memory{};
+  ChannelMemory memory{connectionMemory};
   ServedChannels channels{directory, ledgers};
   AwaitedSockets sockets{};
   SharedPlaces secondSockets{kMostSecondSockets};  ///< those that are awaited included
