@@ -29,7 +29,7 @@ def without_most_connections(lines):
 
 def marked(line):
     """Returns the attributes and the text of a line. Browsers collapse spaces that may be broken."""
-    text = escape(line).replace(" ", "\u00a0")
+    text = escape(line.lstrip()).replace(" ", "\u00a0")
     if line.startswith("$"):
         return f' fill="{BLUE}"', text
     if line.startswith("..."):
@@ -49,8 +49,9 @@ def picture(lines):
     for number, line in enumerate(lines):
         if line:
             attributes, text = marked(line)
-            y = 28 + LINE * number
-            yield f'<text x="{MARGIN}" y="{y}" textLength="{len(line) * COLUMN:.1f}"{attributes}>{text}</text>'
+            indent = len(line) - len(line.lstrip())  # a place of its own, since some viewers drop all spaces in front
+            x, y = MARGIN + indent * COLUMN, 28 + LINE * number
+            yield f'<text x="{x:.1f}" y="{y}" textLength="{(len(line) - indent) * COLUMN:.1f}"{attributes}>{text}</text>'
     yield "</g>\n</svg>"
 
 

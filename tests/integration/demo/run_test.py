@@ -117,8 +117,15 @@ def without_numbers(line):
     return re.sub(r"[\d.]+", "#", " ".join(words))
 
 
+def judged(lines):
+    """Returns how each line begins that says what was judged, whether it passed or not."""
+    checks = (re.sub("^FAILED", "ok", line) for line in lines)
+    return {" ".join(without_numbers(line).split()[:4]) for line in checks if line.startswith("ok ")}
+
+
 def check_documents_picture(output):
-    """Checks that docs/demo.svg shows this topology as the demo tells it: title, heads of tables, and as many connections."""
+    """Checks that docs/demo.svg shows this topology as the demo tells it: title, heads of tables, what is judged, and as many
+    connections."""
     text = ElementTree.parse(ROOT / "docs/demo.svg").getroot().iter("{http://www.w3.org/2000/svg}text")
     lines = ["".join(one.itertext()) for one in text]
     said = output.split("\n")
@@ -129,6 +136,7 @@ def check_documents_picture(output):
     heads += [line for line in said if "p99 so far" in line]
     assert len(heads) == 6, heads
     missing = {without_numbers(line) for line in [said[0], *heads]} - {without_numbers(line) for line in lines}
+    missing |= judged(said) - judged(line.replace("\u00a0", " ") for line in lines)
     assert not missing, f"draw the picture anew by docs/site/demo_svg.py; it lacks {missing}"
 
 
