@@ -9,19 +9,23 @@
 namespace suture::compiler::check {
 namespace {
 
-/// Holds the structs that generated code declares for commands and events, each once.
+constexpr char kHelp[] = "choose another C++ name for one of them";
+constexpr char kHelpOnTypes[] =
+    "choose another C++ name for one of them; name a foreign one in a header of another namespace";
+
+/// Holds what generated code declares for types, commands and events, each once.
 class Structs {
  public:
   explicit Structs(model::Diagnostics& findings) : findings_(findings) {}
 
   void add(const std::string& name, const std::string& subject, const model::Source& source,
-           bool isOwn) {
+           bool isOwn, const std::string& help = kHelp) {
     const auto [first, isNew] = taken_.emplace(name, Entry{subject, source});
     if (isNew || !isOwn) return;
     addError(findings_, source, "generated-name",
              "the code generated for " + subject + " and that for " + first->second.subject +
                  " both declare '" + name + "'",
-             "choose another C++ name for one of them")
+             help)
         .notes.push_back({first->second.source, "the other is here"});
   }
 
@@ -34,6 +38,20 @@ class Structs {
   model::Diagnostics& findings_;
   std::map<std::string, Entry> taken_;
 };
+
+void addStructs(const model::Header& header, const model::Lookup& lookup, bool isOwn,
+                Structs& structs) {
+  for (const model::Struct& one : header.structs) {
+    structs.add(model::generatedName(one.name, lookup) + "Slot", "type '" + one.name + "'",
+                one.source, isOwn, kHelpOnTypes);
+  }
+  for (const model::Enum& one : header.enums) {
+    const std::string name = model::generatedName(one.name, lookup);
+    const std::string space = model::namespaceOf(name);
+    structs.add((space.empty() ? "" : space + "::") + "isKnown" + model::unqualified(name),
+                "type '" + one.name + "'", one.source, isOwn, kHelpOnTypes);
+  }
+}
 
 void addStructs(const model::Interface& interface, const model::Lookup& lookup, bool isOwn,
                 Structs& structs) {
@@ -62,6 +80,7 @@ void checkGeneratedNames(const model::Model& model, const model::Lookup& lookup,
   for (const bool own : {false, true}) {
     for (const model::Header& header : model.headers) {
       if (header.own != own) continue;
+      addStructs(header, lookup, own, structs);
       for (const model::Interface& one : header.interfaces) addStructs(one, lookup, own, structs);
     }
   }
