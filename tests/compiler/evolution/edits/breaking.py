@@ -2,7 +2,7 @@
 
 import dataclasses
 
-from edit import BREAKS, NOTHING, Command, Edit, Event, Side
+from edit import BREAKS, NOTHING, Command, Edit, Event, Side, second_contract
 
 
 def record(body, **more):
@@ -73,6 +73,10 @@ EVENTS = [
          Side(events=(Event("gone_event", "double"), Event("last_event", "double"))),
          Side(events=(Event("last_event", "double"),)),
          "lock-break", "lock-break", diff=BREAKS, refusal=UNLIKE),
+    Edit("event renamed without was", "a command, an event, a contract removed",
+         Side(events=(Event("before_event", "double"), Event("last_event", "double"))),
+         Side(events=(Event("behind_event", "double"), Event("last_event", "double"))),
+         "lock-break lock-new", "lock-break", diff=BREAKS, refusal=UNLIKE),
     Edit("payload of an event changed", TYPE, Side(events=(Event("moved_event", "double"),)),
          Side(events=(Event("moved_event", "std::int32_t"),)), "lock-break", "lock-break", diff=BREAKS,
          refusal=("Int32", "Float64")),
@@ -90,6 +94,14 @@ CONTRACTS = [
 ]
 
 BREAKING = FIELDS + COMMANDS + EVENTS + CONTRACTS
+
+# A peer of before asks for what the other one does not have at all, so no pair of programs is built for these.
+GONE = [
+    Edit("contract removed", "a command, an event, a contract removed", second_contract("Gone"), Side(),
+         "lock-break lock-removed", "lock-break", diff=BREAKS),
+    Edit("contract renamed without was", "a command, an event, a contract removed", second_contract("Before"), second_contract("Behind"),
+         "lock-break lock-new lock-removed", "lock-break", diff=BREAKS),
+]
 
 SWAPPED = "two names, exchanged by `was()`"
 

@@ -1,6 +1,6 @@
 """Lists edits after which old and new peers work together. What a range or a capacity refuses is among the calls."""
 
-from edit import FINE, NOTHING, REFUSES, Call, Command, Edit, Event, Side
+from edit import FINE, NOTHING, REFUSES, Call, Command, Edit, Event, Side, second_contract
 
 OUTSIDE = "value outside its declared limits"
 LONGER = "larger than the declared capacity"
@@ -299,6 +299,7 @@ COMMANDS = [
          build="lock-new"),
     Edit("command renamed with was", "a name, by `was()`",
          one("void before(std::int32_t a)"), one("void behind(std::int32_t a)", 'was("before")'), build="lock-renamed"),
+    Edit("contract renamed with was", "a name, by `was()`", second_contract("Before"), second_contract("Behind", 'was("{T}Before")'), build="lock-renamed"),
     Edit("commands reordered", "the order of declarations",
          commands(Command("void first(std::int32_t a)", calls=(Call("1", heard="a=1"),)),
                   Command("void second(std::int32_t a)", calls=(Call("2", heard="a=2"),))),

@@ -79,6 +79,12 @@ class Side:
         return re.search(r"struct SUTURE_TYPE\([^\n]*\) \{T\}[ :{]", self.types + self.elsewhere) is not None
 
 
+def second_contract(name, says=""):
+    """Returns a side with a contract beside the one in use."""
+    return Side(types="class SUTURE_INTERFACE(%s) {T}%s {\n public:\n  virtual ~{T}%s() = default;\n%s};\n" % (
+        says, name, name, Command("void last()").declaration()))
+
+
 @dataclasses.dataclass(frozen=True)
 class Edit:
     name: str

@@ -15,12 +15,13 @@ import sys
 import tempfile
 import unittest
 
-from breaking import BREAKING, IMPOSSIBLE
+from breaking import BREAKING, GONE, IMPOSSIBLE
 from compatible import COMPATIBLE
 from edit import BREAKS, FINE, NOTHING, REFUSES
 from write import write_alone
 
-POSSIBLE = COMPATIBLE + BREAKING
+BROKEN = BREAKING + GONE
+POSSIBLE = COMPATIBLE + BROKEN
 EDITS = POSSIBLE + IMPOSSIBLE
 GIVEN = argparse.Namespace()
 
@@ -87,14 +88,14 @@ class Verdicts(unittest.TestCase):
         cls.versions = Versions(cls.home.name)
         cls.folder = cls.versions.folder
         cls.built = cls.slugs_of(POSSIBLE, "--out", "out")
-        cls.updated = cls.slugs_of(BREAKING, "--update-lock")
+        cls.updated = cls.slugs_of(BROKEN, "--update-lock")
         cls.refused = collections.defaultdict(set)
         for edit in IMPOSSIBLE:  # each alone, since some of them end a run before the locks are looked at
             cls.built |= cls.slugs_of([edit], "--out", "out")
             cls.updated |= cls.slugs_of([edit], "--update-lock")
             cls.refused |= cls.slugs_of([edit], "--update-lock", "--accept-break")
         cls.taken = cls.run_suturec(COMPATIBLE, "--update-lock")
-        cls.accepted = cls.run_suturec(BREAKING, "--update-lock", "--accept-break")
+        cls.accepted = cls.run_suturec(BROKEN, "--update-lock", "--accept-break")
         cls.after = cls.run_suturec(POSSIBLE, "--out", "out")
 
     @classmethod
