@@ -3,6 +3,7 @@
 #include <suture/component/device.h>
 #include <suture/component/task/task.h>
 #include <suture/manager/component_lives.h>
+#include <suture/rt/standard_error.h>
 #include <suture/standard/collecting.suture.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace {
 // lost provider that is back, or that a faulted task stays so.
 constexpr Duration kLookAgain = std::chrono::milliseconds(10);
 
+constexpr const char* kLate = "it was added after start(), which has to be called again";
+
 Task* taskOf(Component& component) {
   return component.ownsThread() ? static_cast<Task*>(&component) : nullptr;
 }
@@ -25,6 +28,13 @@ bool collects(const Component& component) {
   const auto& all = component.provided();
   return std::any_of(all.begin(), all.end(),
                      [&](const ProvidedBase* one) { return one->info().hash == collecting; });
+}
+
+void stopTasks(const std::map<std::string, Component*>& components, bool collectors) {
+  for (const auto& [name, component] : components) {
+    Task* const task = taskOf(*component);
+    if (task != nullptr && collects(*component) == collectors) task->stop();
+  }
 }
 
 void startOne(Component& component) {
@@ -44,9 +54,9 @@ void ComponentLives::configure() {
 }
 
 void ComponentLives::start() {
-  started_ = true;
   configure();
-  for (Component* component : directory_.components()) {
+  started_ = directory_.componentsByName();
+  for (const auto& [name, component] : started_) {
     const ComponentState state = component->state();
     const bool started = state == ComponentState::Running || state == ComponentState::Suspended;
     if (!started) startOne(*component);
@@ -82,7 +92,8 @@ std::vector<std::string> ComponentLives::missing() const {
     const ComponentState state = component->state();
     if (state != ComponentState::Running) {
       lines.push_back("component '" + component->name() + "' is " + toString(state) +
-                      (state == ComponentState::Faulted ? ", " + component->whyFaulted() : ""));
+                      (state == ComponentState::Faulted ? ", " + component->whyFaulted() : "") +
+                      (isLate(*component) ? std::string(": ") + kLate : ""));
     }
     for (const RequiredBase* required : component->required()) {
       if (required->isOptional()) continue;
@@ -90,6 +101,11 @@ std::vector<std::string> ComponentLives::missing() const {
     }
   }
   return lines;
+}
+
+bool ComponentLives::isLate(const Component& component) const {
+  return !started_.empty() && !started_.contains(component.name()) &&
+         component.state() == ComponentState::Constructed;
 }
 
 std::string ComponentLives::missingFor(const RequiredBase& required) const {
@@ -129,8 +145,7 @@ void ComponentLives::change(const std::string& name, Transition transition, Dura
 }
 
 void ComponentLives::refuseToStopInCycle() const {
-  if (!started_) return;
-  for (Component* component : directory_.components()) {
+  for (const auto& [name, component] : started_) {
     if (Task* const task = taskOf(*component); task != nullptr) task->refuseToStopInCycle();
   }
 }
@@ -138,18 +153,17 @@ void ComponentLives::refuseToStopInCycle() const {
 // Stops tasks before the devices that they use, and collectors last, because they record the
 // others.
 void ComponentLives::stop() {
-  if (!std::exchange(started_, false)) return;
-  stopTasks(false);
-  for (Component* component : directory_.components()) {
+  const ByName all = std::exchange(started_, {});
+  if (all.empty()) return;
+  stopTasks(all, false);
+  for (const auto& [name, component] : all) {
     if (taskOf(*component) == nullptr) static_cast<Device*>(component)->stop();
   }
-  stopTasks(true);
-}
-
-void ComponentLives::stopTasks(bool collectors) {
-  for (Component* component : directory_.components()) {
-    Task* const task = taskOf(*component);
-    if (task != nullptr && collects(*component) == collectors) task->stop();
+  stopTasks(all, true);
+  for (const auto& [name, component] : directory_.componentsByName()) {
+    if (all.contains(name)) continue;
+    rt::printUnlessFull(directory_.process() + ": component '" + name +
+                        "' has never run: " + kLate);
   }
 }
 

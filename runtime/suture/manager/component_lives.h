@@ -6,6 +6,7 @@
 #include <suture/rt/doorbell.h>
 #include <suture/wiring/directory.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,20 +36,22 @@ class ComponentLives {
 
   /// Throws SetupError in the thread of a task that stop() would wait for.
   void refuseToStopInCycle() const;
-  /// Stops what start() has started. It does nothing a second time, since components may be gone
-  /// once they have been stopped.
+  /// Stops what start() has started, and tells what was added later and never started. It touches
+  /// nothing else, since components may be gone that were never started, or have been stopped.
   void stop();
 
  private:
+  using ByName = std::map<std::string, Component*>;
+
   bool anyFaulted() const;
   std::vector<std::string> missing() const;
   std::string missingFor(const RequiredBase& required) const;
-  void stopTasks(bool collectors);
+  bool isLate(const Component& component) const;
 
   const Directory& directory_;
   const Connections& connections_;
   const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();
-  bool started_ = false;
+  ByName started_;  // by start(), until stop()
 };
 
 }  // namespace suture

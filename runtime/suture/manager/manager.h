@@ -27,8 +27,8 @@ class Network;
 struct Security;
 
 /// One thread uses it, which is no task's. Adds components, connects their interfaces and leads
-/// them through their lives. It does not own the components; they must outlive it, or stop() comes
-/// first.
+/// them through their lives. It does not own the components; those that have been started must
+/// outlive it, or stop() comes first.
 ///
 ///   suture::Manager manager{"console", "unix:/tmp/suture.sock"};
 ///   manager.add("Teleop", teleop);
@@ -58,7 +58,8 @@ class Manager {
   const std::string& process() const { return directory_.process(); }
 
   /// `name` must be unique in this process. Gives the component its provided interface "component"
-  /// (suture/standard/lifecycle.h). Throws SetupError.
+  /// (suture/standard/lifecycle.h). What is added after start() runs with the next start(). Throws
+  /// SetupError.
   void add(const std::string& name, Component& component);
 
   /// Before start() and the first connection: sets the scheduling of the threads that carry

@@ -88,10 +88,14 @@ void Directory::add(const std::string& name, Component& component,
 }
 
 std::vector<Component*> Directory::components() const {
-  const std::lock_guard lock(mutex_);
   std::vector<Component*> all;
-  for (const auto& [name, component] : components_) all.push_back(component);
+  for (const auto& [name, component] : componentsByName()) all.push_back(component);
   return all;
+}
+
+std::map<std::string, Component*> Directory::componentsByName() const {
+  const std::lock_guard lock(mutex_);
+  return components_;
 }
 
 const Component* Directory::findComponent(const std::string& name) const {

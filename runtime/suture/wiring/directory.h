@@ -31,6 +31,7 @@ class Directory {
   /// the component is not added. It must not use this directory.
   void add(const std::string& name, Component& component, const std::function<void()>& prepare);
   std::vector<Component*> components() const;
+  std::map<std::string, Component*> componentsByName() const;
 
   Component& component(const std::string& name) const { return find(name, name); }
   /// Returns nullptr if there is none of that name.

@@ -150,10 +150,12 @@ TEST(AwaitStart, NamesEveryMissingComponentAndInterface) {
   manager.connect("Connected/Watched", "Worker/component");
   const std::string text = refusal([&] { manager.awaitStart(20ms); });
   EXPECT_NE(text.find("waiting until process 'here' has started: after "), std::string::npos);
-  EXPECT_NE(text.find("\n    component 'Idle' is constructed\n"
-                      "    required interface 'Unconnected/Watched' (suture::Lifecycle) is not "
-                      "connected: nobody has called connect() for it\n"),
-            std::string::npos)
+  EXPECT_NE(
+      text.find("\n    component 'Idle' is constructed: it was added after start(), which has "
+                "to be called again\n"
+                "    required interface 'Unconnected/Watched' (suture::Lifecycle) is not "
+                "connected: nobody has called connect() for it\n"),
+      std::string::npos)
       << text;
   EXPECT_EQ(text.find("'Connected/"), std::string::npos) << text;
   EXPECT_EQ(text.find("'Optional/"), std::string::npos) << text;
@@ -161,6 +163,37 @@ TEST(AwaitStart, NamesEveryMissingComponentAndInterface) {
   manager.start();
   manager.connect("Unconnected/Watched", "Worker/component");
   EXPECT_EQ(refusal([&] { manager.awaitStart(); }), "");
+}
+
+TEST(ManagerLifecycle, WhatIsAddedLaterNeedsAnotherStart) {
+  Worker worker;
+  Idle idle;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.start();
+  manager.add("Idle", idle);
+  EXPECT_EQ(idle.state(), State::Constructed);
+  manager.start();
+  EXPECT_EQ(idle.state(), State::Running);
+  manager.stop();
+  EXPECT_EQ(idle.state(), State::Stopped);
+}
+
+TEST(ManagerLifecycle, WhatNeverStartedMayEndFirst) {
+  Worker worker;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.start();
+  {
+    Worker late;
+    manager.add("Late", late);
+  }
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(refusal([&] { manager.stop(); }), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "here: component 'Late' has never run: it was added after start(), which has to be "
+            "called again\n");
+  EXPECT_EQ(worker.state(), State::Stopped);
 }
 
 TEST(AwaitStart, WaitsForWhatComesLater) {
