@@ -14,6 +14,12 @@
 namespace suture {
 namespace {
 
+constexpr std::string_view kConnection = "connection '";
+
+std::string subjectOf(const Channel& channel) {
+  return std::string(kConnection) + channel.name() + "'";
+}
+
 /// Says what brings a connection back that was lost for that reason. A process that ends stops its
 /// components first, so the text for a stopped one is true of it as well.
 const char* remedyFor(const std::string& reason) {
@@ -176,7 +182,7 @@ std::vector<std::string> Host::mutualWaits() {
     if (channel->mutualWaits == 0 || !toldToWait_.insert(channel->name()).second) continue;
     const std::string one(Channel::componentOf(channel->clientName()));
     const std::string other(Channel::componentOf(channel->providerName()));
-    lines.push_back("connection '" + channel->name() + "': '" + one + "' waited for '" + other +
+    lines.push_back(subjectOf(*channel) + ": '" + one + "' waited for '" + other +
                     "' until its deadline, and a command of '" + other + "' waited for '" + one +
                     "', which ends none while it waits. Let one of the two look at its answer "
                     "with poll() or then()");
@@ -214,12 +220,21 @@ std::vector<Trouble> Host::componentTroubles() const {
   return found;
 }
 
+bool Host::exists(const Trouble& trouble) const {
+  if (!trouble.subject.starts_with(kConnection)) return true;
+  const std::vector<std::shared_ptr<Channel>> all = manager_->channels();
+  return std::any_of(all.begin(), all.end(), [&](const auto& channel) {
+    return subjectOf(*channel) == trouble.subject &&
+           channel->status.load(std::memory_order_acquire) != ChannelStatus::Closed;
+  });
+}
+
 std::vector<Trouble> Host::connectionTroubles() const {
   std::vector<Trouble> found;
   const std::map<std::string, std::string> whyLost = manager_->whyLost(),
                                            whyNotBack = manager_->whyNotBack();
   for (const auto& channel : manager_->channels()) {
-    const std::string subject = "connection '" + channel->name() + "'";
+    const std::string subject = subjectOf(*channel);
     // A delayed connection has both of its ends in this process: report it once.
     if (!found.empty() && found.back().subject == subject) continue;
     switch (channel->status.load(std::memory_order_acquire)) {

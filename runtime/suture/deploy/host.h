@@ -66,6 +66,9 @@ class Host {
   /// manager that does not answer. What has recovered is missing at the next call. After stop()
   /// these are only the components that are faulted.
   std::vector<Trouble> troubles() const;
+  /// Returns false if what one of troubles() was about is no more: a connection whose client has
+  /// ended. So it has not recovered.
+  bool exists(const Trouble& trouble) const;
   /// Returns what else has happened since the last call, a line each: what the machine does not
   /// grant, restarts after faults, files of the black box, tasks that wait for each other,
   /// messages.

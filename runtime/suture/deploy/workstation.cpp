@@ -179,7 +179,7 @@ class Run {
       const bool stays = std::any_of(present.begin(), present.end(), [&](const Trouble& trouble) {
         return trouble.subject == one.trouble.subject;
       });
-      if (!stays) tell(one.trouble.subject + " is there again");
+      if (!stays && host_.exists(one.trouble)) tell(one.trouble.subject + " is there again");
       return !stays;
     });
     notice(present, ending);

@@ -84,6 +84,25 @@ class Faults(Stations):
         status, _ = self.end(station)
         self.assertEqual(status, 0)
 
+    def test_a_faulted_provider_is_not_there_again_when_its_client_ends(self):
+        address = f"unix:{self.folder}/manager.sock"
+        self.manager(address)
+        spindle = component("Spindle", "Spindle", cycles=50, brake=str(self.brake), key=str(self.key))
+        deployment = {"manager": address,
+                      "processes": [{"name": "robot", "components": [spindle]},
+                                    {"name": "console", "components": [component("Hand", "Hand")]}],
+                      "connections": [{"from": "console:Hand/Turntable", "to": "robot:Spindle/Turntable"}]}
+        reports = ("--report-fd", "-", "--report-interval", "0.05")
+        robot = self.workstation(deployment, "--process", "robot", *reports)
+        console = self.workstation(deployment, "--process", "console", *reports)
+        for station in (robot, console):
+            self.await_message(station, lambda message: message.get("connections"))
+        self.key.touch()
+        self.await_message(robot, lambda message: "brings nothing until its provider is restarted" in message.get("text", ""))
+        self.end(console)
+        self.await_message(robot, lambda message: [one["status"] for one in message.get("connections", [])] == ["closed"])
+        self.assertNotIn("is there again", self.end(robot)[1])
+
 
 if __name__ == "__main__":
     unittest.main()
