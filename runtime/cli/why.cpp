@@ -97,21 +97,26 @@ std::vector<std::string> missingCommands(const End& required, const Verdict& ver
   return names;
 }
 
+bool haveOneName(const End& required, const End& provided) {
+  return required.found.contract->name() == provided.found.contract->name();
+}
+
 std::string remedyFor(const End& required, const End& provided, const Verdict& verdict) {
   if (verdict.sameContract) {
     return "Connect interfaces of the same frames, or correct what is declared of them.";
   }
-  return required.found.contract->name() == provided.found.contract->name()
-             ? "Build both sides from the same header."
-             : "Connect interfaces of the same contract.";
+  return haveOneName(required, provided) ? "Build both sides from the same header."
+                                         : "Connect interfaces of the same contract.";
 }
 
 std::string text(const End& required, const End& provided, const Verdict& verdict) {
   const std::string both = required.target.toString() + " -> " + provided.target.toString();
   const std::string needs = required.found.contract->name(),
                     offers = provided.found.contract->name();
+  const bool differ = !verdict.sameContract && !verdict.connects && haveOneName(required, provided);
   std::string text = both + (verdict.connects ? ": they connect\n" : ": they do not connect\n") +
-                     "  requires " + needs + ", is offered " + offers + "\n";
+                     (differ ? "  both are called " + needs + ", and differ\n"
+                             : "  requires " + needs + ", is offered " + offers + "\n");
   for (const std::string& line : verdict.differences) text += "    " + line + "\n";
   if (!verdict.connects) return text + remedyFor(required, provided, verdict) + "\n";
   for (const std::string& name : missingCommands(required, verdict)) {

@@ -61,14 +61,16 @@ std::vector<Method> methodsOf(const Json& contract) {
 
 class Comparison {
  public:
-  Comparison(const Json& here, const Json& there) : here_(here), there_(there) {}
+  Comparison(const Json& required, const Json& provided)
+      : required_(required), provided_(provided) {}
 
   Compatibility run() && {
-    if (listOf(here_, "wire").empty() || listOf(there_, "wire").empty()) {
+    if (listOf(required_, "wire").empty() || listOf(provided_, "wire").empty()) {
       found_.comparable = false;
       broken("description: it says nothing of the wire");
-    } else if (textOf(here_["wire"][0], "id") != textOf(there_["wire"][0], "id")) {
-      broken("contract: " + textOf(here_, "name") + " here, " + textOf(there_, "name") + " there");
+    } else if (textOf(required_["wire"][0], "id") != textOf(provided_["wire"][0], "id")) {
+      broken("contract: " + textOf(required_, "name") + " required, " + textOf(provided_, "name") +
+             " provided");
     } else {
       compareNodes();
       listLacking();
@@ -82,8 +84,8 @@ class Comparison {
   // Skips a type that only one end has, because it is in nothing that both know.
   void compareNodes() {
     const auto idOf = [](const Json& node) { return textOf(node, "id"); };
-    const auto others = indexOf(listOf(there_, "wire"), idOf);
-    for (const Json& node : listOf(here_, "wire")) {
+    const auto others = indexOf(listOf(provided_, "wire"), idOf);
+    for (const Json& node : listOf(required_, "wire")) {
       const auto other = others.find(idOf(node));
       if (other != others.end()) compareNode(node, *other->second);
     }
@@ -92,18 +94,18 @@ class Comparison {
   void compareNode(const Json& node, const Json& other) {
     const std::string title = textOf(node, "kind") + " " + textOf(node, "name");
     if (textOf(node, "kind") != textOf(other, "kind")) {
-      return broken(title + ": " + textOf(other, "kind") + " there");
+      return broken(title + ": " + textOf(other, "kind") + " provided");
     }
     const long major = numberOf(node, "major", 1), otherMajor = numberOf(other, "major", 1);
     if (major != otherMajor) {
-      broken(title + ": major " + std::to_string(major) + " here, " + std::to_string(otherMajor) +
-             " there");
+      broken(title + ": major " + std::to_string(major) + " required, " +
+             std::to_string(otherMajor) + " provided");
     }
     // version(n) says that other versions mean something else by the same names.
     const long version = numberOf(node, "version", 1), otherVersion = numberOf(other, "version", 1);
     if (version != otherVersion) {
-      broken(title + ": version(" + std::to_string(version) + ") here, version(" +
-             std::to_string(otherVersion) + ") there");
+      broken(title + ": version(" + std::to_string(version) + ") required, version(" +
+             std::to_string(otherVersion) + ") provided");
     }
     compareMembers(listOf(node, "members"), listOf(other, "members"), title);
   }
@@ -121,29 +123,29 @@ class Comparison {
     const std::string title = "'" + textOf(member, "name") + "' of " + owner;
     const std::string ours = textOf(member, "is"), theirs = textOf(other, "is");
     if (ours != theirs) {
-      broken(title + ": " + (ours.empty() ? "nothing" : ours) + " here, " +
-             (theirs.empty() ? "nothing" : theirs) + " there");
+      broken(title + ": " + (ours.empty() ? "nothing" : ours) + " required, " +
+             (theirs.empty() ? "nothing" : theirs) + " provided");
     }
     compareMembers(listOf(member, "parameters"), listOf(other, "parameters"), title);
     compareMembers(listOf(member, "results"), listOf(other, "results"), title);
   }
 
   void listLacking() {
-    const std::vector<Method> ours = methodsOf(here_), theirs = methodsOf(there_);
+    const std::vector<Method> ours = methodsOf(required_), theirs = methodsOf(provided_);
     const std::set<Method> known(theirs.begin(), theirs.end());
     for (std::size_t i = 0; i < ours.size() && i <= UINT16_MAX; ++i) {
       if (!known.contains(ours[i])) found_.lacking.push_back(static_cast<std::uint16_t>(i));
     }
   }
 
-  const Json &here_, &there_;
+  const Json &required_, &provided_;
   Compatibility found_;
 };
 
 }  // namespace
 
-Compatibility compatibility(std::string_view here, std::string_view there) {
-  const Json ours = readDescription(here), theirs = readDescription(there);
+Compatibility compatibility(std::string_view required, std::string_view provided) {
+  const Json ours = readDescription(required), theirs = readDescription(provided);
   return Comparison(ours, theirs).run();
 }
 

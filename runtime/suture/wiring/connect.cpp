@@ -53,12 +53,14 @@ std::string textOf(const std::vector<std::string>& reasons) {
 
 [[noreturn]] void refuse(const InterfaceInfo& required, const InterfaceInfo& provided,
                          const std::string& connection, const std::vector<std::string>& reasons) {
-  const std::string remedy = haveOneName(required, provided)
-                                 ? "Build both sides from the same header"
-                                 : "Connect interfaces of the same contract";
+  const std::string name = required.name;
+  if (haveOneName(required, provided)) {
+    throw SetupError("connecting " + connection, "both are called " + name + ", and differ",
+                     "Build both sides from the same header" + textOf(reasons));
+  }
   throw SetupError("connecting " + connection,
-                   "it requires " + std::string(required.name) + " and is offered " + provided.name,
-                   remedy + textOf(reasons));
+                   "it requires " + name + " and is offered " + provided.name,
+                   "Connect interfaces of the same contract" + textOf(reasons));
 }
 
 }  // namespace

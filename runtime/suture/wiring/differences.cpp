@@ -68,19 +68,19 @@ Leaves leavesOf(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string> differences(std::string_view here, std::string_view there) {
-  const Leaves ours = leavesOf(here), theirs = leavesOf(there);
+std::vector<std::string> differences(std::string_view required, std::string_view provided) {
+  const Leaves ours = leavesOf(required), theirs = leavesOf(provided);
   std::vector<std::string> lines;
   for (const auto& [path, value] : ours) {
     const auto other = theirs.find(path);
     if (other == theirs.end()) {
-      lines.push_back(path + ": " + value + " here, missing there");
+      lines.push_back(path + ": " + value + " required, not provided");
     } else if (other->second != value) {
-      lines.push_back(path + ": " + value + " here, " + other->second + " there");
+      lines.push_back(path + ": " + value + " required, " + other->second + " provided");
     }
   }
   for (const auto& [path, value] : theirs) {
-    if (!ours.contains(path)) lines.push_back(path + ": missing here, " + value + " there");
+    if (!ours.contains(path)) lines.push_back(path + ": not required, " + value + " provided");
   }
   return lines;
 }

@@ -8,8 +8,8 @@
 namespace suture {
 
 /// Compares two self-descriptions (JSON). Returns one line for each difference:
-/// "commands.servo_cp.kind: 'write' here, 'read' there"; none if they say the same. Ignores
-/// documentation.
-std::vector<std::string> differences(std::string_view here, std::string_view there);
+/// "commands.servo_cp.kind: 'write' required, 'read' provided"; none if they say the same. Ignores
+/// documentation. Both processes tell these lines, so "here" would say another end in each.
+std::vector<std::string> differences(std::string_view required, std::string_view provided);
 
 }  // namespace suture

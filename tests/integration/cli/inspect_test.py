@@ -193,7 +193,8 @@ class Inspect(System):
         self.start_stranger("changed")
         done = self.run_suture("why", "robot:Surgeon/Arm", "changed:Odd/Arm")
         self.assertEqual((done.returncode, done.stderr), (1, ""))
-        self.assertRegex(done.stdout, r"""\n    'speed' of 'setSpeed' of interface Arm: Float64 unit "m/s" here, Float32 unit "m/s" there\n""")
+        self.assertIn("\n  both are called robots::Arm, and differ\n", done.stdout)
+        self.assertRegex(done.stdout, r"""\n    'speed' of 'setSpeed' of interface Arm: Float64 unit "m/s" required, Float32 unit "m/s" provided\n""")
         self.assertIn("Build both sides from the same header.\n", done.stdout)
 
     def test_why_explains_an_error(self):

@@ -77,27 +77,28 @@ TEST(Compatibility, TypesUnitsAndDefaultsMustAgree) {
   changed["wire"][1]["members"][1]["is"] = "Int32";
   changed["wire"][0]["members"][1]["results"][0]["is"] = "Float64";
   expectBreak(changed,
-              {"'value' of 'mode' of interface Arm: @0xc3 here, Float64 there",
-               "'x' of struct Pose: Float64 unit \"m\" here, Float64 unit \"mm\" there",
-               "'count' of struct Pose: Int32 = 7 here, Int32 there"},
-              {"'value' of 'mode' of interface Arm: Float64 here, @0xc3 there",
-               "'x' of struct Pose: Float64 unit \"mm\" here, Float64 unit \"m\" there",
-               "'count' of struct Pose: Int32 here, Int32 = 7 there"});
+              {"'value' of 'mode' of interface Arm: @0xc3 required, Float64 provided",
+               "'x' of struct Pose: Float64 unit \"m\" required, Float64 unit \"mm\" provided",
+               "'count' of struct Pose: Int32 = 7 required, Int32 provided"},
+              {"'value' of 'mode' of interface Arm: Float64 required, @0xc3 provided",
+               "'x' of struct Pose: Float64 unit \"mm\" required, Float64 unit \"m\" provided",
+               "'count' of struct Pose: Int32 required, Int32 = 7 provided"});
 }
 
 TEST(Compatibility, KindsAndMajorVersionsMustAgree) {
   Json changed = contract();
   changed["wire"][0]["major"] = 2;
   changed["wire"][1]["kind"] = "union";
-  expectBreak(changed, {"interface Arm: major 1 here, 2 there", "struct Pose: union there"},
-              {"interface Arm: major 2 here, 1 there", "union Pose: struct there"});
+  expectBreak(changed,
+              {"interface Arm: major 1 required, 2 provided", "struct Pose: union provided"},
+              {"interface Arm: major 2 required, 1 provided", "union Pose: struct provided"});
 }
 
 TEST(Compatibility, VersionsOfAContractDoNotConnect) {
   Json changed = contract();
   changed["wire"][0]["version"] = 2;
-  expectBreak(changed, {"interface Arm: version(1) here, version(2) there"},
-              {"interface Arm: version(2) here, version(1) there"});
+  expectBreak(changed, {"interface Arm: version(1) required, version(2) provided"},
+              {"interface Arm: version(2) required, version(1) provided"});
 }
 
 /// Returns the same contract, which derives from one with a command and an event.
@@ -138,8 +139,8 @@ TEST(Compatibility, AnotherContractIsABreak) {
   Json other = contract();
   other["name"] = "robots::Camera";
   other["wire"][0]["id"] = "@0xe5";
-  expectBreak(other, {"contract: robots::Arm here, robots::Camera there"},
-              {"contract: robots::Camera here, robots::Arm there"});
+  expectBreak(other, {"contract: robots::Arm required, robots::Camera provided"},
+              {"contract: robots::Camera required, robots::Arm provided"});
 }
 
 TEST(Compatibility, APeersNonsenseIsABreak) {

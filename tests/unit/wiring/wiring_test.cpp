@@ -126,11 +126,11 @@ TEST(Differences, AreToldFieldByField) {
   const char* there = R"({"doc": "b", "commands": [
       {"name": "home", "kind": "void"}, {"name": "servo_cp", "kind": "read", "queue": 16}]})";
   EXPECT_EQ(differences(here, there),
-            (std::vector<std::string>{"commands.hold.kind: 'void' here, missing there",
-                                      "commands.hold.name: 'hold' here, missing there",
-                                      "commands.servo_cp.kind: 'write' here, 'read' there",
-                                      "commands.home.kind: missing here, 'void' there",
-                                      "commands.home.name: missing here, 'home' there"}));
+            (std::vector<std::string>{"commands.hold.kind: 'void' required, not provided",
+                                      "commands.hold.name: 'hold' required, not provided",
+                                      "commands.servo_cp.kind: 'write' required, 'read' provided",
+                                      "commands.home.kind: not required, 'void' provided",
+                                      "commands.home.name: not required, 'home' provided"}));
   EXPECT_TRUE(differences(here, here).empty());
 }
 
@@ -139,8 +139,8 @@ bool isUnreadable(const std::string& description) {
   EXPECT_FALSE(lackingOptional(here, description));
   EXPECT_FALSE(compatibility(here, description).comparable);
   return differences(here, description) ==
-         std::vector<std::string>{"name: 'Arm' here, missing there",
-                                  "description: missing here, unreadable there"};
+         std::vector<std::string>{"name: 'Arm' required, not provided",
+                                  "description: not required, unreadable provided"};
 }
 
 /// Returns a description whose commands are so many lists, one inside the other.
@@ -177,7 +177,7 @@ TEST(Description, ALongKeyIsNotRepeated) {
   for (const std::string& line : lines) bytes += line.size();
   EXPECT_LT(bytes, 10u << 20);
   EXPECT_TRUE(
-      std::ranges::count(lines, "description: missing here, longer than can be told there"));
+      std::ranges::count(lines, "description: not required, longer than can be told provided"));
 }
 
 /// Returns the info of a contract with this hash and description instead of suturec's.
@@ -194,7 +194,8 @@ TEST(Contract, ADifferentOneIsRefused) {
   const std::string error =
       refusal([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); });
   EXPECT_NE(error.find("connecting a:C/Slave -> b:P/Arm"), std::string::npos) << error;
-  EXPECT_NE(error.find("'reference::ArmLike' here, 'other' there"), std::string::npos) << error;
+  EXPECT_NE(error.find("'reference::ArmLike' required, 'other' provided"), std::string::npos)
+      << error;
   EXPECT_NE(error.find("Build both sides from the same header"), std::string::npos) << error;
 }
 
@@ -203,11 +204,11 @@ TEST(Contract, AnErrorNamesThreeDifferences) {
   const InterfaceInfo other =
       described("another hash", R"({"name": "other", "a": 1, "b": 2, "c": 3, "d": 4})");
   EXPECT_EQ(refusal([&] { requireSameContract(info, other, "a:C/Slave -> b:P/Arm"); }),
-            "connecting a:C/Slave -> b:P/Arm: it requires reference::ArmLike and is offered "
-            "reference::ArmLike. Build both sides from the same header:\n"
-            "    name: 'reference::ArmLike' here, 'other' there\n"
-            "    a: missing here, 1 there\n"
-            "    b: missing here, 2 there\n"
+            "connecting a:C/Slave -> b:P/Arm: both are called reference::ArmLike, and "
+            "differ. Build both sides from the same header:\n"
+            "    name: 'reference::ArmLike' required, 'other' provided\n"
+            "    a: not required, 1 provided\n"
+            "    b: not required, 2 provided\n"
             "    and 2 more: see `suture why`");
 }
 

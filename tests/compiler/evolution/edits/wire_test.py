@@ -88,10 +88,10 @@ class Conversation(unittest.TestCase):
     def judge_refusal(self, edit):
         said = [line for line in self.asked if line.startswith(f"{edit.title}: ")]
         new, old = edit.refusal
-        (here, major), (there, other) = ((new, 2), (old, 1)) if self.client == "v2" else ((old, 1), (new, 2))
-        self.assertIn(f"major {major} here, {other} there", said[0])
-        self.assertIn(f"{here} here", said[0])
-        self.assertIn(f"{there} there", said[0])
+        (required, major), (provided, other) = ((new, 2), (old, 1)) if self.client == "v2" else ((old, 1), (new, 2))
+        self.assertIn(f"major {major} required, {other} provided", said[0])
+        self.assertIn(f"{required} required", said[0])
+        self.assertIn(f"{provided} provided", said[0])
 
 
 class ANewProviderOfAnOldClientByFrames(Conversation):
