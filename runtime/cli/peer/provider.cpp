@@ -14,6 +14,7 @@ std::string remedyFor(Errc error, const Target& target) {
   const std::string component = target.process + ":" + target.component + "/component";
   switch (error) {
     case Errc::Faulted:
+      return "`suture watch " + component + " state_changed --count 1` tells what became of it";
     case Errc::Suspended: return "`suture read " + component + " component_state` tells how it is";
     case Errc::Full: return "Send less, or again when it has taken some";
     case Errc::OutcomeUnknown: return "`suture doctor " + target.toString() + "` looks for it";
@@ -53,14 +54,42 @@ class Receiver final : public capnp::DynamicCapability::Server {
 
 Provider::Provider(loop::EventPort& loop, const Options& options, const Target& target)
     : loop_(loop),
+      options_(options),
       patience_(options.patience),
+      process_(target.process),
       component_(target.component),
       peer_(meet(loop, options, target.process)),
       contract_(peer_.explain(target, wire::Peer::Side::PROVIDED)),
       capability_(peer_.open(target, *contract_)) {}
 
 Answer Provider::call(const Member& command, const Json& arguments, codec::Labels labels) {
-  return wait(loop_, start(command, arguments, labels));
+  try {
+    return wait(loop_, start(command, arguments, labels));
+  } catch (const SetupError&) {
+    const std::string why = refusal_ == Errc::Faulted ? whyFaulted() : "";
+    if (why.empty()) throw;
+    throw SetupError(
+        "call " + command.name + " of " + contract_->title(),
+        std::string(toString(refusal_)) + "; component '" + component_ + "' is faulted: " + why,
+        "Correct the cause, and start process '" + process_ + "' anew");
+  }
+}
+
+// Returns "" if the component has been restarted meanwhile, or does not say why.
+std::string Provider::whyFaulted() const {
+  try {
+    Provider life(loop_, options_, {process_, component_, "component"});
+    auto heard = kj::newPromiseAndFulfiller<std::string>();
+    const Member* const changed = life.contract().findEvent("state_changed");
+    if (changed == nullptr) return "";
+    wait(loop_, life.subscribe(life.contract().bitOf(*changed), codec::Labels::Names,
+                               [&](const Member&, const Json& change) {
+                                 heard.fulfiller->fulfill(textAt(change, "fault"));
+                               }));
+    return wait(loop_, patience_, kj::mv(heard.promise), "it does not say why");
+  } catch (const SetupError&) {
+    return "";
+  }
 }
 
 kj::Promise<Answer> Provider::start(const Member& command, const Json& arguments,
@@ -79,6 +108,7 @@ kj::Promise<Answer> Provider::start(const Member& command, const Json& arguments
       },
       [this, title, target, arguments, &command](kj::Exception&& failure) -> kj::Promise<Answer> {
         const Errc error = framing::errcOf(failure);
+        refusal_ = error;
         const std::string beyond = beyondLimit(*contract_, command, arguments, error);
         const std::string found =
             framing::reasonOf(failure) + (beyond.empty() ? "" : "; " + beyond);

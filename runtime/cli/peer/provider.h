@@ -27,11 +27,13 @@ class Provider {
  public:
   using Heard = std::function<void(const Member& event, const Json& value)>;
 
+  /// `options` outlive it.
   Provider(loop::EventPort& loop, const Options& options, const Target& target);
 
   const Contract& contract() const { return *contract_; }
 
-  /// Runs a command and waits for its end. Throws UsageError if the arguments do not fit it.
+  /// Runs a command and waits for its end. Throws UsageError if the arguments do not fit it. If its
+  /// component has faulted, it throws what that said.
   Answer call(const Member& command, const Json& arguments, codec::Labels labels);
   /// Does the same without waiting. Rejects where there is no answer in time.
   kj::Promise<Answer> start(const Member& command, const Json& arguments, codec::Labels labels);
@@ -50,11 +52,14 @@ class Provider {
   kj::Promise<void> whenSilent() { return peer_.whenSilent(); }
 
  private:
+  std::string whyFaulted() const;
   std::optional<Duration> ageIn(capnp::DynamicStruct::Reader results) const;
 
   loop::EventPort& loop_;
+  const Options& options_;
   const Duration patience_;
-  const std::string component_;
+  const std::string process_, component_;
+  Errc refusal_{};  // the last one
   Peer peer_;
   std::shared_ptr<const Contract> contract_;
   capnp::DynamicCapability::Client capability_;

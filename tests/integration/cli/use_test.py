@@ -134,7 +134,9 @@ class Use(System):
 
     def test_a_handlers_exception_is_told(self):
         error = self.refused("call", GRIPPER, "grasp", "width=-1", "mode=Servo")
-        self.assertIn("the provider's handler threw. `suture read robot:Hand/component component_state` tells how it is", error)
+        reason = "the provider's handler threw; component 'Hand' is faulted: the width is negative. Correct the cause"
+        self.assertEqual(error, f"call grasp of {GRIPPER}: {reason}, and start process 'robot' anew")
+        self.assertIn(reason, self.refused("read", GRIPPER, "opening"))
         self.assertRegex(self.said("read", "robot:Hand/component", "component_state"), "^Faulted, ")
 
     def test_only_reads_are_read(self):
