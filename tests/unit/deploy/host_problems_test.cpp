@@ -92,8 +92,13 @@ TEST(HostProblems, RequiredInterfaceThatAConnectionMisspells) {
       "{\"name\": \"C\", \"class\": \"Client\"}";
   EXPECT_EQ(problemsOf(deploymentOf(components, "{\"from\": \"C/Amr\", \"to\": \"PSM/Arm\"}")),
             std::vector<std::string>{
-                "d.json:5: error: required interface 'all:C/Arm' (reference::ArmLike) has no "
-                "provider; write it as \"from\" in the place of 'all:C/Amr', which there is not"});
+                "d.json:5: error: asked for the required interface 'all:C/Amr': component 'C' has "
+                "required interfaces 'Arm'. Did you mean 'Arm'?"});
+  const auto far =
+      problemsOf(deploymentOf(components, "{\"from\": \"C/Gripper\", \"to\": \"PSM/Arm\"}"));
+  ASSERT_EQ(far.size(), 2u);
+  EXPECT_TRUE(contains(far[0], "add a connection {\"from\": \"all:C/Arm\"")) << far[0];
+  EXPECT_TRUE(contains(far[1], "component 'C' has required interfaces 'Arm'")) << far[1];
   EXPECT_EQ(problemsOf(deploymentOf(components, "{\"from\": \"PSM/Arm\", \"to\": \"C/Arm\"}")),
             std::vector<std::string>{
                 "d.json:5: error: required interface 'all:C/Arm' (reference::ArmLike) has no "

@@ -1,3 +1,4 @@
+#include <suture/base/nearest.h>
 #include <suture/component/required.h>
 #include <suture/deploy/document/connection_ends.h>
 #include <suture/manager/lifecycle_interface.h>
@@ -11,10 +12,20 @@
 namespace suture {
 namespace {
 
-bool requiresInterface(const Component& component, const std::string& name) {
-  const auto& all = component.required();
-  return std::any_of(all.begin(), all.end(),
-                     [&](const RequiredBase* required) { return required->name() == name; });
+/// Returns the required interface of `component` whose name is spelled most like `name`; "": none.
+std::string nearestRequired(const Component& component, const std::string& name) {
+  std::vector<std::string> names;
+  for (const RequiredBase* required : component.required()) names.push_back(required->name());
+  return nearestName(name, names);
+}
+
+/// Returns true if a connection names `from` in the wrong way, of which findUnknown() tells.
+bool isMisspelt(const Endpoint& from, const Component& component,
+                std::span<const ConnectionEntry> all) {
+  return std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& one) {
+    return one.from.process == from.process && one.from.component == from.component &&
+           nearestRequired(component, one.from.interface) == from.interface;
+  });
 }
 
 /// An Unconnected is what a file says wrong, and where.
@@ -23,25 +34,15 @@ struct Unconnected {
   std::string remedy;
 };
 
-/// Says why a required interface has no connection: it is at the wrong end of one, a connection of
-/// its component names an interface that there is not, or nothing mentions it.
+/// Says why a required interface has no connection: it is at the wrong end of one, or nothing
+/// mentions it.
 Unconnected unconnected(const Endpoint& from, const ComponentEntry& entry,
-                        const Component& component, std::span<const ConnectionEntry> all) {
-  const auto first = [&](const auto& condition) {
-    return std::find_if(all.begin(), all.end(), condition);
-  };
-  const auto swapped =
-      first([&](const ConnectionEntry& one) { return one.to.toString() == from.toString(); });
+                        std::span<const ConnectionEntry> all) {
+  const auto swapped = std::find_if(all.begin(), all.end(), [&](const ConnectionEntry& one) {
+    return one.to.toString() == from.toString();
+  });
   if (swapped != all.end()) {
     return {swapped->pointer, "it is named as \"to\": exchange \"from\" and \"to\""};
-  }
-  const auto misspelt = first([&](const ConnectionEntry& one) {
-    return one.from.process == from.process && one.from.component == from.component &&
-           !requiresInterface(component, one.from.interface);
-  });
-  if (misspelt != all.end()) {
-    return {misspelt->pointer, "write it as \"from\" in the place of '" +
-                                   misspelt->from.toString() + "', which there is not"};
   }
   return {entry.pointer, "add a connection {\"from\": \"" + from.toString() + "\", \"to\": ...}"};
 }
@@ -61,8 +62,8 @@ class Ends {
       const bool connected = std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& one) {
         return one.from.toString() == from.toString();
       });
-      if (connected || required->isOptional()) continue;
-      const Unconnected found = unconnected(from, entry, component, all);
+      if (connected || required->isOptional() || isMisspelt(from, component, all)) continue;
+      const Unconnected found = unconnected(from, entry, all);
       told_.insert(found.pointer);
       problems_.push_back(deployment_.document().locate(
           found.pointer, "required interface '" + from.toString() + "' (" + required->info().name +
