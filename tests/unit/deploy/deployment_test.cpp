@@ -57,10 +57,10 @@ TEST(Deployment, ProcessNamesAreCheckedWithoutAManager) {
         std::string("a\\u0000b"), std::string("a\\u001bb"), std::string("a\\u007f"),
         std::string("a:b"), std::string("a/b"), longest + "a"}) {
     SCOPED_TRACE(name);
-    expectOneThatBegins(
-        problemsWith(name),
-        "d.json:1: error: expected a name of 1 to 100 characters, none of them ':', '/', a space "
-        "or a control character, given to the program as --process; found string ");
+    expectOneThatBegins(problemsWith(name),
+                        "d.json:1: error: 'name': expected a name of 1 to 100 characters, none of "
+                        "them ':', '/', a space "
+                        "or a control character, given to the program as --process; found string ");
   }
 }
 
@@ -72,7 +72,8 @@ TEST(Deployment, AComponentsNameMustSuitAProcess) {
     expectOneThatBegins(
         problemsOf(R"({"processes": [{"name": "p", "components": [{"class": "C", "name": ")" +
                    name + R"("}]}]})"),
-        "d.json:1: error: expected a name without ':', '/', '->', spaces and control characters, "
+        "d.json:1: error: 'name': expected a name without ':', '/', '->', spaces and control "
+        "characters, "
         "unique in its process; found string ");
   }
 }
@@ -108,8 +109,8 @@ TEST(Deployment, MissingKeySaysWhatItIs) {
 
 TEST(Deployment, WrongTypeSaysWhatWasFound) {
   expectOnly(with("{\"scale\": 0.2}", "[1, 2]"),
-             "d.json:8: error: expected the parameters of that class; what is absent keeps its "
-             "default; found array [1,2]");
+             "d.json:8: error: 'parameters': expected the parameters of that class; what is absent "
+             "keeps its default; found array [1,2]");
 }
 
 // Its program may have brought the lane, so the file alone cannot tell.
@@ -118,9 +119,10 @@ TEST(Deployment, ALaneIsAName) {
                 .connections()[1]
                 .options.lane,
             suture::Lane{"pipe"});
-  expectOnly(with("\"rpc\"", "\"\""),
-             "d.json:18: error: expected \"auto\": the fastest lane that fits; or the name of one "
-             "(docs/lanes.md), even within a process; found string \"\"");
+  expectOnly(
+      with("\"rpc\"", "\"\""),
+      "d.json:18: error: 'lane': expected \"auto\": the fastest lane that fits; or the name of one "
+      "(docs/lanes.md), even within a process; found string \"\"");
 }
 
 TEST(Deployment, ALaneMayBeRequired) {
@@ -178,9 +180,10 @@ TEST(Deployment, FaultsOfAConnection) {
 }
 
 TEST(Deployment, AChanceIsAtMostOne) {
-  expectOnly(with("\"lane\": \"rpc\"", "\"faults\": {\"loss\": 5}"),
-             "d.json:18: error: expected chance of a message to be lost, from 0 to 1; found number "
-             "5");
+  expectOnly(
+      with("\"lane\": \"rpc\"", "\"faults\": {\"loss\": 5}"),
+      "d.json:18: error: 'faults.loss': expected chance of a message to be lost, from 0 to 1; "
+      "found number 5");
 }
 
 suture::ConnectionContract contractOf(const std::string& value) {
@@ -219,6 +222,18 @@ TEST(Deployment, ContractsThatAreNone) {
   }
 }
 
+TEST(Deployment, AUnitlessTimeNamesItsKey) {
+  const auto problemsWith = [](const char* key) {
+    return problemsOf(with("\"lane\": \"rpc\"", key));
+  };
+  EXPECT_EQ(problemsWith(R"("contract": {"max_age": "200"})"),
+            std::vector<std::string>{"d.json:18: error: 'contract.max_age': expected a time with "
+                                     "its unit, such as \"10ms\"; found string \"200\""});
+  EXPECT_EQ(problemsWith(R"("delay": {"answers": 5})"),
+            std::vector<std::string>{"d.json:18: error: 'delay.answers': expected a time with its "
+                                     "unit, such as \"10ms\"; found number 5"});
+}
+
 TEST(Deployment, AnUnknownWordsMessageListsTheKnown) {
   const auto problemsWith = [](const char* value) {
     return problemsOf(with("\"lane\": \"rpc\"", std::string("\"contract\": ") + value));
@@ -226,8 +241,8 @@ TEST(Deployment, AnUnknownWordsMessageListsTheKnown) {
   EXPECT_EQ(
       problemsWith(R"({"resume": "manual"})"),
       std::vector<std::string>{
-          "d.json:18: error: expected who lets commands through again after a loss or a stale "
-          "read: \"automatic\" or \"operator\"; found string \"manual\""});
+          "d.json:18: error: 'contract.resume': expected who lets commands through again after a "
+          "loss or a stale read: \"automatic\" or \"operator\"; found string \"manual\""});
   for (const char* key : {"on_stale", "on_loss"}) {
     const auto problems = problemsWith(("{\"" + std::string(key) + "\": \"hope\"}").c_str());
     ASSERT_EQ(problems.size(), 1u);
@@ -263,8 +278,9 @@ TEST(Deployment, RestartsThatAreNone) {
   };
   const std::string line = "d.json:13: error: ";
   for (const char* most : {"0", "17", "2.5", "\"3\""}) {
-    EXPECT_TRUE(problemWith(std::string(R"({"per": "60s", "most": )") + most + "}")
-                    .starts_with(line + "expected the number of restarts, 1 to 16; found "))
+    EXPECT_TRUE(
+        problemWith(std::string(R"({"per": "60s", "most": )") + most + "}")
+            .starts_with(line + "'restart.most': expected the number of restarts, 1 to 16; found "))
         << most;
   }
   EXPECT_EQ(problemWith(R"({"most": 3})"),
@@ -316,7 +332,7 @@ TEST(Deployment, BlackBoxesThatAreNone) {
                                    "key 'folder' is missing; it is the path of an existing folder "
                                    "for its files, from the folder of this file");
   EXPECT_TRUE(problemWith(R"({"folder": "f", "rows": 0})")
-                  .starts_with(line + "expected how many rows of the past"));
+                  .starts_with(line + "'black_box.rows': expected how many rows of the past"));
   EXPECT_EQ(problemWith(R"({"folder": "f", "last": "0s"})"),
             line + "a time of 0s is no time at all; give a longer one");
   EXPECT_EQ(problemWith(R"({"folder": "f", "components": ["PSM2"]})"),
@@ -332,7 +348,7 @@ TEST(Deployment, DelaysThatAreNone) {
   for (const char* value : {"5", "\"5\"", "\"-5ms\"", "\"5 ms\"", "\"fast\""}) {
     const auto problems = problemsWith(value);
     ASSERT_EQ(problems.size(), 1u) << value;
-    EXPECT_TRUE(problems[0].starts_with("d.json:18: error: expected added to what the lane takes"))
+    EXPECT_TRUE(problems[0].starts_with("d.json:18: error: 'delay': expected a time with its unit"))
         << problems[0];
   }
   EXPECT_EQ(problemsWith("{\"command\": \"5ms\"}"),

@@ -57,9 +57,29 @@ std::string shortly(const json& value) {
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
 }
 
+/// Returns the keys of a place from the last list on, as in "'contract.max_age': "; "": there is
+/// none.
+std::string keysOf(const std::string& pointer) {
+  std::string keys;
+  const json::json_pointer all(pointer);
+  for (json::json_pointer rest = all; !rest.empty(); rest.pop_back()) {
+    const std::string& key = rest.back();
+    if (key.find_first_not_of("0123456789") == std::string::npos) break;
+    keys = keys.empty() ? key : key + "." + keys;
+  }
+  return keys.empty() ? "" : "'" + keys + "': ";
+}
+
+bool isTime(const Place& place) {
+  const std::string pattern = place.schema->value("pattern", "");
+  return pattern.ends_with("(ns|us|ms|s)$") && !place.value->is_object();
+}
+
 std::string expectation(const Place& place) {
-  return "expected " + place.schema->at("description").get<std::string>() + "; found " +
-         place.value->type_name() + " " + shortly(*place.value);
+  const std::string meant = isTime(place) ? "a time with its unit, such as \"10ms\""
+                                          : place.schema->at("description").get<std::string>();
+  return keysOf(place.pointer) + "expected " + meant + "; found " + place.value->type_name() + " " +
+         shortly(*place.value);
 }
 
 void reportUnknownKeys(const Place& place, std::vector<JsonProblem>& problems) {
