@@ -137,7 +137,17 @@ TEST_F(KeyMaker, AKeyOthersReadIsRefused) {
 TEST_F(KeyMaker, AMissingOrBadKeyIsNamed) {
   makeKeys(folder_, {"left", "right"});
   std::string error = refusedUse("middle");
-  EXPECT_TRUE(contains(error, "middle.crt: No such file")) << error;
+  EXPECT_EQ(error,
+            "read " + (folder_ / "middle.crt").string() +
+                ": No such file or directory. Make it and its key with `suture keys --process "
+                "middle --out " +
+                folder_.string() + "`");
+  fs::remove(folder_ / "right.key");
+  error = refusedUse("right");
+  EXPECT_TRUE(contains(error,
+                       "right.key: No such file or directory. Remove the certificate beside "
+                       "it, and make both with `suture keys --process right --out "))
+      << error;
   std::ofstream(folder_ / "left.key") << "no key";
   error = refusedUse("left");
   EXPECT_TRUE(contains(error, "read the key in " + (folder_ / "left.key").string())) << error;

@@ -25,12 +25,29 @@ std::string textOf(const ASN1_TIME* time) {
   return text;
 }
 
+/// Says how to make one file of a folder that has a CA.
+std::string remedyForMissing(const std::filesystem::path& file) {
+  const KeyFiles files{file.parent_path()};
+  const std::string process = file.stem();
+  std::error_code unknown;  // then the folder is told
+  const auto exists = [&](const std::filesystem::path& one) {
+    return std::filesystem::exists(one, unknown);
+  };
+  if (exists(file) || !exists(files.caCertificate()) || file == files.caKey()) return kMakeKeys;
+  const std::string command =
+      "`suture keys --process " + process + " --out " + files.folder.string() + "`";
+  if (exists(files.certificate(process))) {
+    return "Remove the certificate beside it, and make both with " + command;
+  }
+  return "Make it and its key with " + command;
+}
+
 BioPtr contentOf(const std::filesystem::path& file) {
   BioPtr content(BIO_new_file(file.c_str(), "r"));
   if (content == nullptr) {
     const std::string found = std::strerror(errno);
     ERR_clear_error();
-    throw SetupError("read " + file.string(), found, kMakeKeys);
+    throw SetupError("read " + file.string(), found, remedyForMissing(file));
   }
   return content;
 }
