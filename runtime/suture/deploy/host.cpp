@@ -6,6 +6,7 @@
 #include <suture/lane/lane_kind.h>
 #include <suture/lane/lane_refusals.h>
 #include <suture/names/peer_address.h>
+#include <suture/session/telling.h>
 
 #include <algorithm>
 #include <map>
@@ -20,28 +21,13 @@ std::string subjectOf(const Channel& channel) {
   return std::string(kConnection) + channel.name() + "'";
 }
 
-/// Says what brings a connection back that was lost for that reason. A process that ends stops its
-/// components first, so the text for a stopped one is true of it as well.
-const char* remedyFor(const std::string& reason) {
-  if (reason.starts_with("closed")) {
-    return "Start that process again if it has ended; it is connected anew when it is there";
-  }
-  if (reason.starts_with("ended")) {
-    return "While that process goes on, restart either process, or call disconnect() and "
-           "connect(); if it has ended, start it again";
-  }
-  return "It is connected anew when that process goes on";
-}
-
 /// `why` has, by the name of each connection, what its client's end was told: "closed: ...".
-std::string lossText(const std::map<std::string, std::string>& why, const std::string& name) {
+std::string lossTextOf(const std::map<std::string, std::string>& why, const std::string& name) {
   const auto told = why.find(name);
   if (told == why.end())
     return "is lost: its provider has been stopped, or the process at its other end is gone. Start "
            "it again";
-  std::string reason = told->second;
-  if (reason.ends_with('.')) reason.pop_back();  // what TLS says is a whole sentence
-  return "is lost, " + reason + ". " + remedyFor(reason);
+  return lossText(told->second);
 }
 
 }  // namespace
@@ -65,6 +51,7 @@ void Host::createManager() {
     manager_ = address.empty() ? std::make_unique<Manager>(process_.name)
                                : std::make_unique<Manager>(process_.name, address, ours, patience_,
                                                            process_.port);
+    manager_->tellBy(nullptr);  // troubles() has what it would tell
     for (std::size_t i = 0; i < components().size(); ++i) {
       manager_->add(process_.components[i].name, *components()[i]);
     }
@@ -239,7 +226,7 @@ std::vector<Trouble> Host::connectionTroubles() const {
     if (!found.empty() && found.back().subject == subject) continue;
     switch (channel->status.load(std::memory_order_acquire)) {
       case ChannelStatus::Lost:
-        found.push_back({subject, lossText(whyLost, channel->name()), true, true});
+        found.push_back({subject, lossTextOf(whyLost, channel->name()), true, true});
         if (const auto why = whyNotBack.find(channel->name()); why != whyNotBack.end()) {
           found.back().more = "cannot be made anew: " + why->second;
         }

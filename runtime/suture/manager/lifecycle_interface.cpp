@@ -26,10 +26,12 @@ constexpr std::size_t kLongestFault = 255;  // as StateChange declares
 
 }  // namespace
 
-LifecycleInterface::LifecycleInterface(Component& component, std::shared_ptr<rt::Doorbell> changed)
+LifecycleInterface::LifecycleInterface(Component& component, std::shared_ptr<rt::Doorbell> changed,
+                                       std::shared_ptr<const Telling> telling)
     : component_(withoutLifecycle(component)),
       provided_(component, kName, *this),
-      changed_(std::move(changed)) {
+      changed_(std::move(changed)),
+      telling_(std::move(telling)) {
   provided_.serveInEveryState();
   stateChanged(component.state());
 }
@@ -39,6 +41,19 @@ void LifecycleInterface::stateChanged(ComponentState state) {
   if (state == ComponentState::Faulted) assignCut(change.fault, component_.fault(), kLongestFault);
   (void)provided_.emit().state_changed(change);  // it fits
   changed_->ring();
+  tellPeople(state);
+}
+
+void LifecycleInterface::tellPeople(ComponentState state) {
+  const auto tell = [&](const std::string& what) {
+    telling_->tell("component '" + component_.name() + "' " + what);
+  };
+  if (state == ComponentState::Faulted) {
+    faulted_ = true;
+    tell("has faulted, " + component_.whyFaulted());
+  } else if (state == ComponentState::Running && faulted_.exchange(false)) {
+    tell("runs again after its fault");
+  }
 }
 
 ResumeOutcome LifecycleInterface::resume_connection(const std::string& required) {

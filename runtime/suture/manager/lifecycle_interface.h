@@ -3,8 +3,10 @@
 
 #include <suture/component/component.h>
 #include <suture/rt/doorbell.h>
+#include <suture/session/telling.h>
 #include <suture/standard/lifecycle.suture.h>
 
+#include <atomic>
 #include <memory>
 
 namespace suture {
@@ -17,7 +19,8 @@ class LifecycleInterface final : public Lifecycle, public StateListener {
 
   /// Before the component starts, in the manager's thread. `changed` is rung at each change. Throws
   /// SetupError if the component has another interface of that name.
-  LifecycleInterface(Component& component, std::shared_ptr<rt::Doorbell> changed);
+  LifecycleInterface(Component& component, std::shared_ptr<rt::Doorbell> changed,
+                     std::shared_ptr<const Telling> telling);
 
   bool suspend() override { return request(Transition::Suspend); }
   bool resume() override { return request(Transition::Resume); }
@@ -28,10 +31,13 @@ class LifecycleInterface final : public Lifecycle, public StateListener {
 
  private:
   bool request(Transition transition);
+  void tellPeople(ComponentState state);
 
   Component& component_;
   Provided<Lifecycle> provided_;
   const std::shared_ptr<rt::Doorbell> changed_;
+  const std::shared_ptr<const Telling> telling_;
+  std::atomic<bool> faulted_{false};
 };
 
 }  // namespace suture

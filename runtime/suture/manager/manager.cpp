@@ -28,7 +28,8 @@ Manager::Manager(std::string process, const std::string& address, Duration patie
 Manager::Manager(std::string process, const std::string& address, const Security& security,
                  Duration patience, std::uint16_t port)
     : directory_(std::move(process)) {
-  network_ = std::make_unique<Network>(directory_, address, threads_, patience, security, port);
+  network_ =
+      std::make_unique<Network>(directory_, address, threads_, *telling_, patience, security, port);
 }
 
 Manager::~Manager() {
@@ -47,7 +48,8 @@ void Manager::add(const std::string& name, Component& component) {
     component.name_ = name;
     component.process_ = name_;
     if (!component.hasStateListener())
-      component.setStateListener(std::make_shared<LifecycleInterface>(component, lives_.changed()));
+      component.setStateListener(
+          std::make_shared<LifecycleInterface>(component, lives_.changed(), telling_));
   });
 }
 

@@ -8,6 +8,7 @@
 #include <suture/rt/scheduling.h>
 #include <suture/session/connect_options.h>
 #include <suture/session/service_threads.h>
+#include <suture/session/telling.h>
 #include <suture/wiring/directory.h>
 
 #include <chrono>
@@ -61,6 +62,12 @@ class Manager {
   /// (suture/standard/lifecycle.h). What is added after start() runs with the next start(). Throws
   /// SetupError.
   void add(const std::string& name, Component& component);
+
+  /// Before start() and the first connection: gives `taker` the lines that it would print on
+  /// standard error when a component faults or goes on, and when a connection to another process is
+  /// lost, there again, or cannot be made anew; null: nobody is told. Several threads call it, also
+  /// that of a task that has just faulted, so it must not wait.
+  void tellBy(Telling::Taker taker) { telling_->giveTo(std::move(taker)); }
 
   /// Before start() and the first connection: sets the scheduling of the threads that carry
   /// connections and serve devices. Throws SetupError if the kernel refuses.
@@ -159,6 +166,7 @@ class Manager {
 
   Directory directory_;
   const std::shared_ptr<const std::string> name_ = std::make_shared<std::string>(process());
+  const std::shared_ptr<Telling> telling_ = std::make_shared<Telling>(process());
   ServiceThreads threads_;
   std::unique_ptr<Network> network_;
   Connections connections_{directory_, threads_, network_};

@@ -12,6 +12,7 @@
 #include <suture/session/client/sessions.h>
 #include <suture/session/network.h>
 #include <suture/session/provider/peer_host.h>
+#include <suture/session/telling.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -56,10 +57,11 @@ std::uint64_t newIncarnation() {
 }  // namespace
 
 Network::Network(const Directory& directory, const std::string& managerAddress,
-                 ServiceThreads& threads, Duration patience, const Security& security,
-                 std::uint16_t port)
+                 ServiceThreads& threads, const Telling& telling, Duration patience,
+                 const Security& security, std::uint16_t port)
     : directory_(directory),
       threads_(threads),
+      telling_(telling),
       managers_(net::parseAddresses(managerAddress)),
       security_(security),
       port_(port),
@@ -122,15 +124,22 @@ void Network::connect(RequiredBase& required, Endpoint from, Endpoint to, Connec
   if (to.process.empty()) to.process = directory_.process();
   run(control_, options.patience + kLocalWork, [=, this, &required] {
     const RemoteConnection::Listener listener{
-        .made = [this,
-                 name](std::shared_ptr<Channel> channel) { news_.made(name, std::move(channel)); },
+        .made =
+            [this, name](std::shared_ptr<Channel> channel) {
+              if (news_.connected(name) != nullptr) tellOf(channel->name(), "is there again");
+              news_.made(name, std::move(channel));
+            },
         .lost =
             [this, name](const std::string& channel, std::string why) {
               if (!connections_.contains(name)) return;  // the news crossed its end
+              tellOf(channel, lossText(why));
               news_.lost(channel, std::move(why));
             },
-        .notBack = [this](const std::string& channel,
-                          std::string why) { news_.notBack(channel, std::move(why)); },
+        .notBack =
+            [this](const std::string& channel, std::string why) {
+              tellOf(channel, "cannot be made anew: " + why);
+              news_.notBack(channel, std::move(why));
+            },
         .failed =
             [this](const std::string& channel, const std::string& lane, const std::string& why) {
               rt::printUnlessFull(directory_.process() + ": " + channel +
@@ -141,6 +150,10 @@ void Network::connect(RequiredBase& required, Endpoint from, Endpoint to, Connec
         ledgerOf(connectionName(from, to)));
     return open(name, to, options.patience);
   });
+}
+
+void Network::tellOf(const std::string& connection, const std::string& what) const {
+  telling_.tell("connection '" + connection + "' " + what);
 }
 
 kj::Promise<void> Network::open(const std::string& required, const Endpoint& to,

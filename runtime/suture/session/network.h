@@ -30,16 +30,18 @@ class ManagerLink;
 class PeerHost;
 class RemoteConnection;
 class Sessions;
+class Telling;
 
 /// The manager's thread uses it; all work happens on the control thread that it owns.
 class Network {
  public:
   /// Listens, and registers the process at the global managers. `managerAddress` is one address or
   /// several, separated by commas. It listens at `port` of tls:// and tcp://; 0: at one that the
-  /// kernel takes. `threads` serve its peers; they outlive it, and stop after leave(). Throws
-  /// SetupError.
+  /// kernel takes. `threads` serve its peers; they outlive it, and stop after leave(). `telling`
+  /// outlives it too. Throws SetupError.
   Network(const Directory& directory, const std::string& managerAddress, ServiceThreads& threads,
-          Duration patience, const Security& security = {}, std::uint16_t port = 0);
+          const Telling& telling, Duration patience, const Security& security = {},
+          std::uint16_t port = 0);
   ~Network();
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
@@ -94,9 +96,11 @@ class Network {
   kj::Promise<void> open(const std::string& required, const Endpoint& to, Duration patience);
   std::shared_ptr<Ledger> ledgerOf(const std::string& connection);
   void forget(const std::string& required);
+  void tellOf(const std::string& connection, const std::string& what) const;
 
   const Directory& directory_;
   ServiceThreads& threads_;
+  const Telling& telling_;
   const std::vector<net::Address> managers_;  // all of one kind
   const Security security_;
   const std::uint16_t port_;  // 0: the kernel takes one

@@ -4,6 +4,7 @@
 #include <suture/component/task/event_task.h>
 #include <suture/framing/link.h>
 #include <suture/net/dialer.h>
+#include <suture/peer.capnp.h>
 #include <unistd.h>
 
 #include <algorithm>

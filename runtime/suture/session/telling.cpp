@@ -1,0 +1,33 @@
+#include <suture/base/plain.h>
+#include <suture/rt/standard_error.h>
+#include <suture/session/telling.h>
+
+namespace suture {
+namespace {
+
+/// Says what brings a connection back that was lost for that reason. A process that ends stops its
+/// components first, so the text for a stopped one is true of it as well.
+const char* remedyFor(const std::string& reason) {
+  if (reason.starts_with("closed")) {
+    return "Start that process again if it has ended; it is connected anew when it is there";
+  }
+  if (reason.starts_with("ended")) {
+    return "While that process goes on, restart either process, or call disconnect() and "
+           "connect(); if it has ended, start it again";
+  }
+  return "It is connected anew when that process goes on";
+}
+
+}  // namespace
+
+Telling::Telling(const std::string& process)
+    : taker_([process](const std::string& line) {
+        rt::printUnlessFull(process + ": " + plain(line));
+      }) {}
+
+std::string lossText(std::string why) {
+  if (why.ends_with('.')) why.pop_back();  // what TLS says is a whole sentence
+  return "is lost, " + why + ". " + remedyFor(why);
+}
+
+}  // namespace suture

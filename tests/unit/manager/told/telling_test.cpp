@@ -1,0 +1,127 @@
+// A process tells people on standard error what becomes of its components and connections.
+
+#include <gtest/gtest.h>
+#include <suture/component/device.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/manager/manager.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "reference/still_arm.h"
+#include "support/contains.h"
+#include "support/eventually.h"
+#include "support/patience.h"
+#include "unit/manager/two_processes.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct BreakingArm final : PeriodicTask, StillArm {
+  explicit BreakingArm(std::uint32_t restarts = 0) : PeriodicTask({.period = 1ms}) {
+    if (restarts > 0) restartAfterFaults({.most = restarts, .per = 24h});
+  }
+  ~BreakingArm() override { stop(); }
+  void run() override {
+    if (broken.exchange(false)) throw std::runtime_error("the encoder says nonsense");
+  }
+  std::atomic<bool> broken{false};
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+struct Listener final : Device {
+  Required<reference::ArmLike> slave{*this, "Slave"};
+};
+
+/// Returns what is told on standard error while `run` runs.
+template <class Run>
+std::string toldBy(const Run& run) {
+  testing::internal::CaptureStderr();
+  run();
+  return testing::internal::GetCapturedStderr();
+}
+
+void breakOnce(BreakingArm& arm) {
+  arm.broken = true;
+  EXPECT_TRUE(eventually([&] { return arm.faults() == 1; }));
+}
+
+TEST(Telling, AFaultIsToldWithItsReason) {
+  EXPECT_EQ(toldBy([] {
+              BreakingArm arm;
+              Manager manager("here");
+              manager.add("PSM", arm);
+              manager.start();
+              breakOnce(arm);
+            }),
+            "here: component 'PSM' has faulted, its code threw: the encoder says nonsense\n");
+}
+
+TEST(Telling, ARestartIsTold) {
+  EXPECT_EQ(toldBy([] {
+              BreakingArm arm(1);
+              Manager manager("here");
+              manager.add("PSM", arm);
+              manager.start();
+              breakOnce(arm);
+              EXPECT_TRUE(eventually([&] { return arm.state() == ComponentState::Running; }));
+              manager.stop();
+            }),
+            "here: component 'PSM' has faulted, its code threw: the encoder says nonsense\n"
+            "here: component 'PSM' runs again after its fault\n");
+}
+
+TEST(Telling, AProgramTakesTheLinesOrNone) {
+  std::promise<std::string> line;
+  EXPECT_EQ(toldBy([&] {
+              for (const bool taken : {true, false}) {
+                BreakingArm arm;
+                Manager manager("here");
+                manager.tellBy(taken ? [&](const std::string& told) { line.set_value(told); }
+                                     : Telling::Taker());
+                manager.add("PSM", arm);
+                manager.start();
+                breakOnce(arm);
+              }
+            }),
+            "");
+  EXPECT_EQ(line.get_future().get(),
+            "component 'PSM' has faulted, its code threw: the encoder says nonsense");
+}
+
+TEST(Telling, ALossAndAReturnAreTold) {
+  const std::string told = toldBy([] {
+    TemporaryDirectory directory;
+    loop::ControlThread control;
+    GlobalManager global(control, "unix:" + directory.file("manager.sock"));
+    BreakingArm arm, again;
+    Listener listener;
+    auto there = std::make_optional<Manager>("there", global.address());
+    Manager here("here", global.address());
+    there->add("PSM", arm);
+    here.add("Teleop", listener);
+    there->start();
+    here.start();
+    here.connect("Teleop/Slave", "there:PSM/Arm");
+    there.reset();
+    EXPECT_TRUE(eventually([&] { return !here.whyLost().empty(); }));
+    const auto lost = here.channels();
+    there.emplace("there", global.address());
+    there->add("PSM", again);
+    there->start();
+    EXPECT_TRUE(eventually([&] { return here.channels() != lost; }));
+    here.stop();
+  });
+  const std::string connection = "here: connection 'here:Teleop/Slave -> there:PSM/Arm' ";
+  EXPECT_TRUE(contains(told, connection + "is lost, ")) << told;
+  EXPECT_TRUE(contains(told, connection + "is there again\n")) << told;
+}
+
+}  // namespace
+}  // namespace suture
