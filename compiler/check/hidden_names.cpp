@@ -12,8 +12,10 @@ namespace suture::compiler::check {
 namespace {
 
 /// Generated code specialises the runtime's templates inside namespace suture, where these inner
-/// namespaces of the runtime hide a user's of the same name.
-constexpr std::array<std::string_view, 4> kOfRuntime{"bounded", "detail", "rpc", "rt"};
+/// namespaces of the runtime and of its schemas hide a user's of the same name.
+constexpr std::array<std::string_view, 14> kOfRuntime{
+    "bounded", "codec", "detail", "dsl", "frame",          "framing", "loop",
+    "net",     "rpc",   "rt",     "shm", "testing_detail", "tls",     "wire"};
 
 bool isInName(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
