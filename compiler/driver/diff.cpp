@@ -2,11 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
+#include <system_error>
 
 #include "compiler/driver/files.h"
 #include "compiler/lock/differences.h"
@@ -22,17 +25,37 @@ namespace fs = std::filesystem;
 /// Prints why the question cannot be answered.
 void complain(const std::string& why) { std::cerr << "suturec diff: error: " << why << "\n"; }
 
-/// Reads all schemas below a folder, or one file, which has no path in the result. Returns none
-/// after it has said what cannot be read.
+using Files = std::map<std::string, fs::path>;
+
+/// Adds the schemas below `folder`, by their paths below `root`.
+void addSchemas(const fs::path& folder, const fs::path& root, Files& files) {
+  std::error_code error;
+  for (fs::directory_iterator one(folder, error), end; !error && one != end; one.increment(error)) {
+    if (one->is_directory() && !one->is_symlink()) {
+      addSchemas(one->path(), root, files);
+    } else if (one->path().extension() == ".capnp") {
+      files.emplace(one->path().lexically_relative(root).generic_string(), one->path());
+    }
+  }
+  if (error) {
+    throw std::runtime_error("cannot read the folder '" + folder.string() +
+                             "': " + error.message());
+  }
+}
+
+/// Tells if suturec has written the schema. Others, such as those of Suture's own protocol, lie
+/// beside them in a folder.
+bool isLock(const std::string& schema) { return schema.find("$Meta.header(") != std::string::npos; }
+
+/// Reads all locked schemas below a folder, or one file, which has no path in the result. Returns
+/// none after it has said what cannot be read.
 std::optional<lock::Locks> readLocks(const std::string& path) {
   const bool isFolder = fs::is_directory(path);
-  std::map<std::string, fs::path> files;
-  if (!isFolder) files.emplace("", path);
+  Files files;
   if (isFolder) {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
-      if (entry.path().extension() != ".capnp") continue;
-      files.emplace(entry.path().lexically_relative(path).generic_string(), entry.path());
-    }
+    addSchemas(path, path, files);
+  } else {
+    files.emplace("", path);
   }
   std::vector<model::Artefact> texts;
   for (const auto& [name, file] : files) {
@@ -41,7 +64,14 @@ std::optional<lock::Locks> readLocks(const std::string& path) {
       complain("cannot read '" + file.string() + "'");
       return std::nullopt;
     }
-    texts.push_back({name, *text});
+    if (!isFolder || isLock(*text)) texts.push_back({name, *text});
+  }
+  if (texts.empty()) {
+    complain(
+        "of " + std::to_string(files.size()) + " files *.capnp below '" + path +
+        "' none is a schema that suturec wrote; name the folder into which update-lock writes, "
+        "which suture_generate() calls LOCK_DIR");
+    return std::nullopt;
   }
   model::Diagnostics problems;
   lock::Options options;
@@ -57,7 +87,8 @@ std::optional<lock::Locks> readLocks(const std::string& path) {
 
 /// Returns the differences of each file. What moved to another file is told there: a file that is
 /// gone has only those of what is nowhere else.
-std::map<std::string, std::vector<lock::Difference>> compare(lock::Locks& old, lock::Locks& now) {
+std::map<std::string, std::vector<lock::Difference>> differencesOf(lock::Locks& old,
+                                                                   lock::Locks& now) {
   const std::vector<lock::Move> moves = lock::movesBetween(old, now);
   old = lock::relocated(old, moves);
   for (const auto& [path, before] : old.files) now.files[path].path = path;
@@ -96,6 +127,16 @@ int tell(const std::map<std::string, std::vector<lock::Difference>>& differences
   return broken ? kBroken : kCompatible;
 }
 
+int compare(const std::string& old, const std::string& now) {
+  if (fs::is_directory(old) != fs::is_directory(now) && fs::exists(old) && fs::exists(now)) {
+    complain("of '" + old + "' and '" + now + "' one is a folder; name two files or two folders");
+    return kNoAnswer;
+  }
+  std::optional<lock::Locks> before = readLocks(old);
+  std::optional<lock::Locks> after = readLocks(now);
+  return before && after ? tell(differencesOf(*before, *after)) : kNoAnswer;
+}
+
 }  // namespace
 
 int diff(std::vector<std::string> arguments) {
@@ -112,13 +153,12 @@ int diff(std::vector<std::string> arguments) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kCompatible : kNoAnswer;
   }
-  if (fs::is_directory(old) != fs::is_directory(now) && fs::exists(old) && fs::exists(now)) {
-    complain("of '" + old + "' and '" + now + "' one is a folder; name two files or two folders");
+  try {
+    return compare(old, now);
+  } catch (const std::exception& error) {
+    complain(error.what());
     return kNoAnswer;
   }
-  std::optional<lock::Locks> before = readLocks(old);
-  std::optional<lock::Locks> after = readLocks(now);
-  return before && after ? tell(compare(*before, *after)) : kNoAnswer;
 }
 
 }  // namespace suture::compiler::driver

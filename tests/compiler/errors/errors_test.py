@@ -8,9 +8,11 @@
 
 import argparse
 import concurrent.futures
+import os
 import pathlib
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -20,6 +22,7 @@ CASES = HERE / "cases"
 FIXES = HERE / "fixes"
 PAGES = HERE.parents[2] / "docs" / "diagnostics"
 COMPILER = HERE.parents[2] / "compiler"
+SCHEMAS = HERE.parents[2] / "schemas"
 TIME_LIMIT = 120  # seconds; a hang must end the test, the machine may be slow
 
 # A slug stands in these forms in the compiler's sources.
@@ -96,7 +99,7 @@ USAGE = [
 ]
 
 
-# These are calls of suturec diff OLD NEW, each with the exit status and the words that must come.
+# These are calls of suturec diff OLD NEW, each with the exit status and the words that must come. make_folders() makes OUT.
 DIFFS = [
     ("schemas/lock_new/lock_new.capnp", 2, "new is required"),
     ("schemas/lock_new/lock_new.capnp missing.capnp", 2, "cannot read 'missing.capnp'"),
@@ -109,12 +112,29 @@ DIFFS = [
     ("schemas/lock_new/lock_new.capnp schemas/lock_new/lock_new.capnp", 0, "Nothing changed on the wire"),
     ("schemas/lock_new/lock_new.capnp schemas/warnings/warnings.capnp", 1,
      "breaks:  struct Sample is gone without a trace\n(?s:.*)recordings of the old version do not work"),
+    ("OUT/closed schemas/lock_new", 2, "error: cannot read the folder '.*/closed/inner': Permission denied"),
+    ("OUT/loop schemas/lock_new", 2, "error: .*Too many levels of symbolic links .*/loop"),
+    ("OUT/empty schemas/lock_new", 2, "of 0 files \\*.capnp below '.*/empty' none is a schema that suturec wrote; name the folder into"),
+    ("schemas/lock_new OUT/others", 2, "of 1 files \\*.capnp below '.*/others' none is a schema that suturec wrote; name the folder into"),
+    (f"{SCHEMAS} {SCHEMAS}", 0, "Nothing changed on the wire"),
 ]
 
 
+def make_folders(out):
+    for folder in ("closed/inner", "empty/inner", "others/suture"):
+        (out / folder).mkdir(parents=True)
+    (out / "closed/inner").chmod(0)
+    (out / "loop").symlink_to("loop")
+    shutil.copy(SCHEMAS / "suture/meta.capnp", out / "others/suture")
+
+
 def check_diff(suturec, arguments, status, words):
-    done = subprocess.run([suturec, "diff", *arguments.split()], cwd=CASES, capture_output=True, text=True,
-                          timeout=TIME_LIMIT)
+    unable = ["setpriv", "--bounding-set=-dac_override,-dac_read_search"] if os.geteuid() == 0 else []  # as others are
+    with tempfile.TemporaryDirectory() as out:
+        make_folders(pathlib.Path(out))
+        done = subprocess.run([*unable, suturec, "diff", *arguments.replace("OUT", out).split()], cwd=CASES,
+                              capture_output=True, text=True, timeout=TIME_LIMIT)
+        (pathlib.Path(out) / "closed/inner").chmod(0o700)
     text = done.stdout + done.stderr
     good = done.returncode == status and re.search(words, text)
     return [] if good else [f"suturec diff {arguments}: status {done.returncode}, no '{words}' in\n{text}"]
