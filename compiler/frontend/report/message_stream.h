@@ -9,7 +9,8 @@ namespace suture::compiler::frontend {
 
 /// Forwards whole lines, less what only suturec itself causes: the include stack through the
 /// in-memory translation unit, the "./" that clang puts before a header named relative to it,
-/// blanks at the end, and how the SUTURE_ macros are made.
+/// blanks at the end, how the SUTURE_ macros are made, and what follows from the use of a
+/// member that is still to be generated.
 class MessageStream : public llvm::raw_ostream {
  public:
   MessageStream(llvm::raw_ostream& out, std::string unitName);
@@ -24,8 +25,10 @@ class MessageStream : public llvm::raw_ostream {
   llvm::raw_ostream& out_;
   std::string includeLine_;
   std::string pending_;
-  std::string advice_;             // follows the excerpt of the source
-  bool withinVocabulary_ = false;  // true in the excerpt of a SUTURE_ macro's definition
+  std::string advice_;              // follows the excerpt of the source
+  bool saidGenerated_ = false;      // true once a member that is still to be generated was used
+  bool withinConsequence_ = false;  // true in an error that follows from that
+  bool withinVocabulary_ = false;   // true in the excerpt of a SUTURE_ macro's definition
 };
 
 }  // namespace suture::compiler::frontend
