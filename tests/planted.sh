@@ -46,7 +46,7 @@ plant() {
     forgotten_cut) replace runtime/suture/lane/client_end.cpp \
       '  channel_->client.cut();
 ' '' ;;
-    unrung_lane) replace runtime/suture/component/provided.cpp \
+    unrung_lane) replace runtime/suture/component/provided/command_drain.cpp \
       '  // the client also learns of what has been taken
       owner_.ringLater(*channel_.ends.client);' '' ;;
     *) echo "there is no planted fault '$1'" >&2; exit 2 ;;

@@ -129,7 +129,8 @@ TEST_F(DeploymentKeys, AWrongPolicyStopsTheHost) {
   const Deployment deployment(JsonDocument::read(
       write(R"({"policy": "policy.json", "processes": [{"name": "a", "components": []}]})")));
   const std::string error = refusal([&] { suture::Host(deployment, "a", {}); });
-  EXPECT_TRUE(contains(error, "policy.json:1: error: expected the list of roles")) << error;
+  EXPECT_TRUE(contains(error, "policy.json:1: error: 'roles': expected the list of roles"))
+      << error;
 }
 
 }  // namespace

@@ -30,11 +30,12 @@ TEST(ManagerAddress, SeveralManagersAreListedWithCommas) {
 TEST(ManagerAddress, MalformedAddressesAreRefused) {
   const auto interface = problemsOf(with("left:MTML/Arm", "left:MTML"));
   ASSERT_EQ(interface.size(), 1u);
-  EXPECT_TRUE(interface[0].starts_with("d.json:17: error: expected the provided interface"))
+  EXPECT_TRUE(interface[0].starts_with("d.json:17: error: 'to': expected the provided interface"))
       << interface[0];
   const auto manager = problemsOf(with("unix:/tmp/suture.sock", "http://x"));
   ASSERT_EQ(manager.size(), 1u);
-  EXPECT_TRUE(manager[0].starts_with("d.json:2: error: expected address of the global manager"))
+  EXPECT_TRUE(
+      manager[0].starts_with("d.json:2: error: 'manager': expected address of the global manager"))
       << manager[0];
 }
 

@@ -52,7 +52,8 @@ TEST(PolicyFile, EachMistakeIsToldWithItsLine) {
        "p.json:8: error: no role 'viwer' here; there are 'surgeon' and 'viewer'; did you mean "
        "'viewer'?"},
       {"\"name\": \"viewer\"", "\"name\": \"surgeon\"", "p.json:4: error: there is another role"},
-      {"user:same", "uid:7", "p.json:8: error: expected \"process:console\" (by its certificate"},
+      {"user:same", "uid:7",
+       "p.json:8: error: 'who': expected \"process:console\" (by its certificate"},
       {"\"PSM/*\"", "\"PSM\"", "p.json:3: error: expected an interface, \"component/interface\""},
       {"\"rules\"", "\"rule\"", "unknown key 'rule'; did you mean 'rules'?"},
       {"\"full\"", "\"ful\"", "p.json:3: error: unknown key 'ful'; did you mean 'full'?"}};

@@ -61,8 +61,8 @@ TEST(RealTime, InvalidSchedulingIsAnError) {
             line + "a priority needs a policy; add for example \"policy\": \"fifo\"");
   for (const char* priority : {"0", "100", "2.5", "\"3\""}) {
     EXPECT_TRUE(problemWith(std::string(R"({"policy": "fifo", "priority": )") + priority + "}")
-                    .starts_with(line + "expected the priority under that policy, 1 to 99, the "
-                                        "most urgent; found "))
+                    .starts_with(line + "'scheduling.priority': expected the priority under that "
+                                        "policy, 1 to 99, the most urgent; found "))
         << priority;
   }
   EXPECT_TRUE(problemWith(R"({"policy": "realtime", "priority": 1})").starts_with(line));
