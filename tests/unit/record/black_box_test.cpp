@@ -164,6 +164,7 @@ TEST(BlackBox, TellsStandardErrorWithoutListeners) {
   const TemporaryDirectory directory;
   Arm arm;
   Manager manager("here");
+  manager.tellBy(nullptr);
   manager.add("PSM", arm);
   testing::internal::CaptureStderr();
   {
