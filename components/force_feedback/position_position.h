@@ -3,15 +3,9 @@
 
 #include <Eigen/Core>
 
-#include "force_feedback/passivity.h"
+#include "force_feedback/passive_port.h"
 
 namespace robots {
-
-/// Says how a tip moves, in the frame and to the scale of the master.
-struct TipMotion {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s
-};
 
 struct CouplingGains {
   double stiffness = 300;  ///< N/m
@@ -30,9 +24,7 @@ inline Eigen::Vector3d coupling(const CouplingGains& gains, const TipMotion& own
 /// All of these numbers are our own choice.
 struct PositionPositionModel {
   CouplingGains gains = {};
-  double most_force = 20;  ///< N: the coupling pushes no harder along an axis
-  bool passive = true;     ///< with the passivity controller; without, it is only observed
-  double mass = 0.9;       ///< kg: of the least that moves with the hand
+  PassivePort::Model port = {};
 };
 
 /// One thread; only the constructor throws, nothing allocates. A PositionPosition is the master's
@@ -44,18 +36,18 @@ class PositionPosition {
   explicit PositionPosition(const PositionPositionModel& model);
 
   /// Begins the coupling with the master at `position`.
-  void beginAt(const Eigen::Vector3d& position) { observer_.beginAt(position); }
+  void beginAt(const Eigen::Vector3d& position) { port_.beginAt(position); }
   /// Call this in each cycle. Returns the force on the hand for the next `dt` seconds (> 0), in N.
   Eigen::Vector3d force(const TipMotion& master, const TipMotion& slave, double dt);
 
-  /// Returns the energy in J that the hand has given along each axis (PassivityObserver). With the
+  /// Returns the energy in J that the hand has given along each axis (PassivePort). With the
   /// controller the account keeps no more than the spring of the coupling holds, because friction
   /// at the slave has taken the rest.
-  const Eigen::Vector3d& energy() const { return observer_.energy(); }
+  const Eigen::Vector3d& energy() const { return port_.energy(); }
 
  private:
-  PositionPositionModel model_;
-  PassivityObserver observer_;
+  CouplingGains gains_;
+  PassivePort port_;
 };
 
 }  // namespace robots

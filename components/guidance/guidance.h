@@ -34,6 +34,17 @@ struct SUTURE_TYPE() GuidanceProgress {
   bool valid = false;
 };
 
+/// Says how fast the hands lead each tip where the fixtures let none go, in the scene: what a hand
+/// should feel of them. What a fixture only delays is not in it.
+struct SUTURE_TYPE() ForbiddenMotion {
+  SUTURE_FIELD(unit("m/s")) Eigen::Vector3d left = Eigen::Vector3d::Zero();
+  SUTURE_FIELD(unit("m/s")) Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  /// The stamp is that of the guide's cycle.
+  suture::Time stamp;
+  /// This is false while the guide does not guide.
+  bool valid = false;
+};
+
 /// Commands run in the guide's own thread before its next cycle; reads are from the end of its last
 /// one.
 class SUTURE_INTERFACE() Guidance {
@@ -49,6 +60,8 @@ class SUTURE_INTERFACE() Guidance {
   SUTURE_COMMAND() virtual GuidanceState guidance_state() const = 0;
   /// The guide updates this even while it waits for something, as far as the knot has been seen.
   SUTURE_COMMAND() virtual const GuidanceProgress& progress() const = 0;
+  /// A client at the masters makes hands feel this, as components/force_feedback says.
+  SUTURE_COMMAND() virtual const ForbiddenMotion& forbidden_motion() const = 0;
 
   /// Reports each change, and the last one to a client that connects.
   SUTURE_EVENT(latched(), name("guidance_state"))

@@ -54,10 +54,10 @@ FixtureModel model(const GuideParameters& parameters) {
           .holding = std::exp(kHolding * parameters.friction * parameters.wrap)};
 }
 
-/// Returns the axis that leads from one orientation to another, times the angle in rad.
-Vector3d turnBetween(const Matrix3d& from, const Matrix3d& to) {
-  const Eigen::AngleAxisd turn(to * from.transpose());
-  return turn.angle() * turn.axis();
+GuidedSide::Settings settings(const GuideParameters& parameters) {
+  return {.scale = parameters.scale,
+          .master_damping = parameters.master_damping,
+          .period = inSeconds(parameters.period)};
 }
 
 bool haveSameBases(const SceneFrames& one, const SceneFrames& other) {
@@ -65,30 +65,19 @@ bool haveSameBases(const SceneFrames& one, const SceneFrames& other) {
          one.right_base.isApprox(other.right_base, 1e-12);
 }
 
-/// Returns the orientation that is at such a share of the way from one to another.
-Matrix3d between(const Matrix3d& from, const Matrix3d& to, double share) {
-  const Eigen::AngleAxisd turn(to * from.transpose());
-  return Eigen::AngleAxisd(share * turn.angle(), turn.axis()) * from;
-}
-
 }  // namespace
-
-KnotGuide::Side::Side(KnotGuide& guide, const char* masterName, const char* slaveName)
-    : master(guide, masterName), slave(guide, slaveName) {
-  slave.configuration_js.reserve(configuration);
-  slave.setpoint_js.reserve(setpointJs);
-  slave.spatial_jacobian.reserve(jacobian);
-}
 
 KnotGuide::KnotGuide(const GuideParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
       parameters_(checked(parameters)),
+      left_(*this, "LeftMaster", "LeftSlave", settings(parameters)),
+      right_(*this, "RightMaster", "RightSlave", settings(parameters)),
       fixtures_(model(parameters)),
       estimate_(parameters.sighting_age, parameters.period),
       enableAtFirstCycle_(parameters.enable_at_start) {}
 
 void KnotGuide::enable() {
-  for (Side* side : {&left_, &right_}) side->arms.permit();
+  for (GuidedSide* side : {&left_, &right_}) side->arms().permit();
   preparation_.begin();
   if (state_ == GuidanceState::Disabled) enter(GuidanceState::Preparing);
 }
@@ -101,7 +90,7 @@ void KnotGuide::disable() {
 /// Leaves guiding, because a guide that does not run must not say that it guides.
 void KnotGuide::onSuspend() {
   if (state_ == GuidanceState::Disabled) return;
-  for (Side* side : {&left_, &right_}) side->arms.stopPreparing();
+  for (GuidedSide* side : {&left_, &right_}) side->arms().stopPreparing();
   progress_.valid = false;
   leave(GuidanceState::Preparing);
 }
@@ -125,8 +114,8 @@ void KnotGuide::run() {
 void KnotGuide::step() {
   const bool disabled = state_ == GuidanceState::Disabled;
   const bool sendsGoals = std::exchange(offers_, false) || state_ == GuidanceState::Guiding;
-  for (Side* side : {&left_, &right_}) {
-    if (!disabled) side->arms.prepare();
+  for (GuidedSide* side : {&left_, &right_}) {
+    if (!disabled) side->arms().prepare();
   }
   if (isRefused() && sendsGoals) return giveUp(kGoalsRefused);
   const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
@@ -138,9 +127,14 @@ void KnotGuide::step() {
   }
   lookForKnot();
   if (disabled) return;
-  if (!operator_.teleoperates()) return leave(GuidanceState::Clutched);
+  if (!operator_.teleoperates()) {
+    for (GuidedSide* side : {&left_, &right_}) {
+      if (operator_.isPresent()) side->release();
+    }
+    return leave(GuidanceState::Clutched);
+  }
   if (parameters_.fixtures && !progress_.valid) return leave(GuidanceState::Blind);
-  const bool streams = left_.arms.slave().streams() && right_.arms.slave().streams();
+  const bool streams = left_.arms().slave().streams() && right_.arms().slave().streams();
   if ((mustBeginAnew() || missed || !streams) && !begin()) return leave(GuidanceState::Preparing);
   if (!move()) return leave(GuidanceState::Preparing);
   offers_ = !streams;
@@ -152,12 +146,12 @@ void KnotGuide::step() {
 bool KnotGuide::readScene() {
   const auto frames = registration_.frames();
   sceneIsKnown_ = frames && frames.age() <= parameters_.registration_age;
-  if (!sceneIsKnown_) return left_.law.has_value();
+  if (!sceneIsKnown_) return left_.follows();
   if (!haveSameBases(frames_, *frames)) forgetScene();
   frames_ = *frames;
   fixtures_.setTissue(frames_.tissue);
-  left_.look(surgeonView(frames_, robots::Side::Left, robots::Side::Left), parameters_.scale);
-  right_.look(surgeonView(frames_, robots::Side::Right, robots::Side::Right), parameters_.scale);
+  left_.look(surgeonView(frames_, Side::Left, Side::Left));
+  right_.look(surgeonView(frames_, Side::Right, Side::Right));
   return true;
 }
 
@@ -165,41 +159,19 @@ bool KnotGuide::readScene() {
 /// corrected. No arm has moved, so none must.
 void KnotGuide::forgetScene() {
   estimate_.forget();
-  for (Side* side : {&left_, &right_}) side->law.reset();
+  for (GuidedSide* side : {&left_, &right_}) side->forgetAnchor();
 }
 
 /// Returns false unless the data of all four arms and the registration may be acted on.
 bool KnotGuide::readArms() {
-  if (!readScene() || !read(left_) || !read(right_)) return false;
-  setpoints_ = {frames_.left_base * left_.poses.slave.pose.translation(),
-                frames_.right_base * right_.poses.slave.pose.translation()};
+  if (!readScene()) return false;
+  for (GuidedSide* side : {&left_, &right_}) {
+    if (!side->readArms(parameters_.max_age, parameters_.fixtures)) return false;
+  }
+  setpoints_ = {frames_.left_base * left_.poses().slave.pose.translation(),
+                frames_.right_base * right_.poses().slave.pose.translation()};
   estimate_.tipsAt(suture::now(), setpoints_.mean());
   return true;
-}
-
-bool KnotGuide::read(Side& side) {
-  const auto poses = side.arms.poses(parameters_.max_age);
-  if (!poses || !side.arms.ready()) return false;
-  if (parameters_.fixtures) side.readJoints(parameters_.max_age);
-  side.poses = *poses;
-  if (poses->rebased) side.law.reset();
-  return true;
-}
-
-/// An arm that does not say where its joints are minds their limits alone.
-void KnotGuide::Side::readJoints(suture::Duration maxAge) {
-  const auto isFresh = [&](const suture::Sample<void>& sample) {
-    return sample && sample.age() <= maxAge;
-  };
-  const bool setpoint = isFresh(slave.setpoint_js(setpointJs)) && setpointJs.valid;
-  const bool moves = isFresh(slave.spatial_jacobian(jacobian)) && jacobian.valid;
-  const auto base = slave.base_frame();
-  const bool stands = base && base.age() <= maxAge && base->valid;
-  if (stands) mount = base->transform.linear();
-  knowsJoints = stands && setpoint && setpointJs.position.size() == std::size_t{kTipJoints} &&
-                moves && jacobian.coefficients.size() == std::size_t{6 * kTipJoints};
-  if (bounds || !slave.configuration_js(configuration) || !configuration.valid) return;
-  bounds = jointBounds(configuration);
 }
 
 void KnotGuide::lookForKnot() {
@@ -223,8 +195,8 @@ void KnotGuide::lookForKnot() {
 }
 
 bool KnotGuide::isRefused() {
-  const bool left = left_.arms.slave().refuses();  // both must be asked
-  return right_.arms.slave().refuses() || left;
+  const bool left = left_.arms().slave().refuses();  // both must be asked
+  return right_.arms().slave().refuses() || left;
 }
 
 void KnotGuide::giveUp(const char* why) {
@@ -235,12 +207,12 @@ void KnotGuide::giveUp(const char* why) {
 /// Returns true if a slave is not where it was sent, because it refuses goals or slides along a
 /// joint limit.
 bool KnotGuide::mustBeginAnew() {
-  const bool leftBroke = left_.arms.slave().hasBrokenOff();
-  const bool rightBroke = right_.arms.slave().hasBrokenOff();
-  const bool leftIsSilent = left_.arms.slave().hasFallenSilent();
-  const bool rightIsSilent = right_.arms.slave().hasFallenSilent();
+  const bool leftBroke = left_.arms().slave().hasBrokenOff();
+  const bool rightBroke = right_.arms().slave().hasBrokenOff();
+  const bool leftIsSilent = left_.arms().slave().hasFallenSilent();
+  const bool rightIsSilent = right_.arms().slave().hasFallenSilent();
   if (leftBroke || rightBroke || leftIsSilent || rightIsSilent) return true;
-  if (!left_.law || !right_.law) return true;
+  if (!left_.follows() || !right_.follows()) return true;
   // A set-point may come back as late as max_age, and it is looked at a cycle or two later.
   const double most =
       std::numbers::sqrt3 * parameters_.speed * inSeconds(parameters_.max_age + 2 * period());
@@ -251,68 +223,24 @@ bool KnotGuide::mustBeginAnew() {
 /// Returns false if it is not known where things stand now.
 bool KnotGuide::begin() {
   if (!sceneIsKnown_) return false;
-  for (Side* side : {&left_, &right_}) {
-    side->anchor(side->poses.slave.pose, parameters_.scale);
-    side->turned = side->poses.slave.pose.linear();
-  }
+  for (GuidedSide* side : {&left_, &right_}) side->begin();
   tips_ = setpoints_;
   return true;
 }
 
-void KnotGuide::Side::anchor(const Isometry3d& slaveSetpoint, double scale) {
-  law.emplace(poses.master.pose, slaveSetpoint, FollowSettings{.scale = scale, .view = view});
-}
-
-/// With another view it goes on from where the last cycle led it, because a camera that moves must
-/// not move the slave.
-void KnotGuide::Side::look(const Eigen::Matrix3d& newView, double scale) {
-  if (newView.isApprox(view, 1e-12)) return;
-  view = newView;
-  if (law) anchor(law->follow(poses.master.pose), scale);
-}
-
 bool KnotGuide::move() {
-  const double seconds = inSeconds(parameters_.period);
-  const Isometry3d left = left_.goal(frames_.left_base, tips_.left, seconds);
-  const Isometry3d right = right_.goal(frames_.right_base, tips_.right, seconds);
+  const Isometry3d left = left_.goal(frames_.left_base, tips_.left);
+  const Isometry3d right = right_.goal(frames_.right_base, tips_.right);
   const TipPair wish{frames_.left_base * left.translation() - tips_.left,
                      frames_.right_base * right.translation() - tips_.right};
-  const TipPair step =
-      permitted(wish, {left_.room(left, frames_.left_base, tips_.left, seconds),
-                       right_.room(right, frames_.right_base, tips_.right, seconds)});
-  forget(wish, step);
+  const TipPair step = permitted(wish, {left_.room(left, frames_.left_base, tips_.left),
+                                        right_.room(right, frames_.right_base, tips_.right)});
+  forbid({wish.left - step.left - kept(wish.left, step.left),
+          wish.right - step.right - kept(wish.right, step.right)});
   tips_.left += step.left;
   tips_.right += step.right;
-  const bool leftTook = send(left_, left, frames_.left_base, tips_.left);
-  return send(right_, right, frames_.right_base, tips_.right) && leftTook;
-}
-
-/// An arm that is asked to turn its tool beyond a joint's limit would slide along the limit, and
-/// its tip with it, where no fixture has looked.
-Isometry3d KnotGuide::Side::goal(const Isometry3d& base, const Vector3d& tip,
-                                 double seconds) const {
-  Isometry3d goal = law->follow(poses.master.pose);
-  if (!bounds || !knowsJoints) return goal;
-  const double share = turnShare(*bounds, setpointJs, jacobian, ahead(goal, base, tip), seconds);
-  if (share < 1) goal.linear() = between(turned, goal.linear(), share);
-  return goal;
-}
-
-JointRoom KnotGuide::Side::room(const Isometry3d& goal, const Isometry3d& base, const Vector3d& tip,
-                                double seconds) const {
-  if (!bounds || !knowsJoints) return {};
-  return jointRoom(*bounds, setpointJs, jacobian, ahead(goal, base, tip), base.linear() * mount,
-                   seconds);
-}
-
-/// Poses are in the reference frame of the arm, and its joints are about its base, which
-/// set_base_frame() may have turned in that.
-TipAhead KnotGuide::Side::ahead(const Isometry3d& goal, const Isometry3d& base,
-                                const Vector3d& tip) const {
-  const Matrix3d toBase = mount.transpose();
-  return {.moved = toBase * (base.inverse() * tip - poses.slave.pose.translation()),
-          .turned = toBase * turnBetween(poses.slave.pose.linear(), goal.linear()),
-          .turns = toBase * turnBetween(turned, goal.linear())};
+  const bool leftTook = left_.send(left, frames_.left_base, tips_.left);
+  return right_.send(right, frames_.right_base, tips_.right) && leftTook;
 }
 
 /// Returns where the knot is when the tips are where they have been sent. It is estimated from
@@ -333,9 +261,16 @@ Vector3d KnotGuide::withoutHaste(const Vector3d& wish) const {
 
 /// What the fixtures forbid is made up for later only on the way to the target. So a tip whose hand
 /// rests is not moved aside when they give way.
-void KnotGuide::forget(const TipPair& wish, const TipPair& step) {
-  left_.forget(wish.left - step.left - kept(wish.left, step.left), frames_.left_base);
-  right_.forget(wish.right - step.right - kept(wish.right, step.right), frames_.right_base);
+void KnotGuide::forbid(const TipPair& forbidden) {
+  left_.forget(forbidden.left, frames_.left_base);
+  right_.forget(forbidden.right, frames_.right_base);
+  const double seconds = inSeconds(parameters_.period);
+  forbidden_ = {.left = forbidden.left / seconds,
+                .right = forbidden.right / seconds,
+                .stamp = suture::now(),
+                .valid = true};
+  left_.resist(forbidden_.left, frames_.left_base);
+  right_.resist(forbidden_.right, frames_.right_base);
 }
 
 /// Returns what later cycles shall fulfil of a wish of which this one fulfils `step`: what is only
@@ -354,28 +289,13 @@ Vector3d KnotGuide::kept(const Vector3d& wish, const Vector3d& step) const {
   return delayed * (most / std::max(delayed.norm(), most));
 }
 
-/// Forgets so much of what the master has asked for, in the scene.
-void KnotGuide::Side::forget(const Vector3d& wish, const Isometry3d& base) {
-  law->shift(-(base.linear().transpose() * wish));
-}
-
-/// Sends `goal` with its tip moved to `tip` (in the scene). It keeps the stamp of the master's
-/// data, so that its age is known wherever it arrives.
-bool KnotGuide::send(Side& side, const Isometry3d& goal, const Isometry3d& base,
-                     const Vector3d& tip) {
-  PoseStamped sent{goal, side.poses.master.stamp, true};
-  sent.pose.translation() = base.inverse() * tip;
-  side.turned = goal.linear();
-  return side.slave.servo_cp(sent).has_value();
-}
-
 void KnotGuide::leave(GuidanceState state) {
-  for (Side* side : {&left_, &right_}) {
-    if (state_ == GuidanceState::Guiding) side->arms.holdSlave();
-    if (state == GuidanceState::Disabled) side->arms.stopPreparing();
-    side->law.reset();
-    side->bounds.reset();  // the slave may be another one when it goes on
+  for (GuidedSide* side : {&left_, &right_}) {
+    if (state_ == GuidanceState::Guiding) side->arms().holdSlave();
+    if (state == GuidanceState::Disabled) side->arms().stopPreparing();
+    side->end();
   }
+  forbidden_ = {};
   enter(state);
 }
 

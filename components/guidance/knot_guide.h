@@ -8,21 +8,16 @@
 #include <suture/component/task/periodic_task.h>
 #include <suture/standard/message_port.h>
 
-#include <array>
 #include <chrono>
-#include <optional>
 
-#include "arm/arm.suture.h"
 #include "guidance/fixtures.h"
 #include "guidance/guidance.suture.h"
-#include "guidance/joint_room.h"
+#include "guidance/guided_side.h"
 #include "guidance/knot_estimate.h"
 #include "pedals/foot_pedals.suture.h"
 #include "pedals/operator_presence.suture.h"
 #include "pedals/operator_watch.h"
 #include "registration/registration.suture.h"
-#include "teleop/arm_pair.h"
-#include "teleop/follow_law.h"
 #include "teleop/preparation_limit.h"
 #include "timing/cycle_watch.h"
 #include "vision/knot_vision.suture.h"
@@ -65,6 +60,11 @@ struct SUTURE_TYPE() GuideParameters {
   SUTURE_FIELD(range(0, 1)) double friction = 0.15;
   /// The strand winds about itself by this angle in the knot.
   SUTURE_FIELD(unit("rad"), range(0, 100)) double wrap = 9.42;
+  /// Each master presses against its hand with so much for each m/s that the fixtures forbid it,
+  /// and floats in its hand while a pedal takes it from its slave. That is for a master that a hand
+  /// moves and whose drives control efforts, because body_servo_cf ends every other stream. With 0
+  /// the masters get no forces.
+  SUTURE_FIELD(unit("N.s/m"), range(0, 1000)) double master_damping = 0;
 };
 
 /// Lets each slave follow its master by the law of teleoperation (teleop/follow_law.h), in the
@@ -86,6 +86,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   void disable() override;
   GuidanceState guidance_state() const override { return state_; }
   const GuidanceProgress& progress() const override { return progress_; }
+  const ForbiddenMotion& forbidden_motion() const override { return forbidden_; }
 
   void run() override;
   /// A client that connects receives the first state too.
@@ -95,54 +96,21 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   void onFault() override;
 
  private:
-  /// A Side is one master, the slave that it drives, and how it does so.
-  struct Side {
-    Side(KnotGuide& guide, const char* masterName, const char* slaveName);
-
-    void anchor(const Eigen::Isometry3d& slaveSetpoint, double scale);
-    void look(const Eigen::Matrix3d& newView, double scale);
-    void readJoints(suture::Duration maxAge);
-    /// Returns where the law leads the slave, whose tip has been sent to `tip` (in the scene), with
-    /// the tool turned only as far as the joints have room for.
-    Eigen::Isometry3d goal(const Eigen::Isometry3d& base, const Eigen::Vector3d& tip,
-                           double seconds) const;
-    /// Returns the room of a step from `tip` (in the scene) that also turns the tool as `goal` is.
-    JointRoom room(const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
-                   const Eigen::Vector3d& tip, double seconds) const;
-    TipAhead ahead(const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
-                   const Eigen::Vector3d& tip) const;
-    void forget(const Eigen::Vector3d& wish, const Eigen::Isometry3d& base);
-
-    suture::Required<Arm> master, slave;
-    ArmPair arms{master, slave};
-    Eigen::Matrix3d view = Eigen::Matrix3d::Identity();
-    std::optional<FollowLaw> law;
-    ArmPoses poses;                    // of this cycle
-    Eigen::Matrix3d turned;            // how the tool has been sent to turn
-    JointConfiguration configuration;  // these three keep their memory
-    JointState setpointJs;
-    Jacobian jacobian;
-    Eigen::Matrix3d mount = Eigen::Matrix3d::Identity();  // turns its base's axes to its poses'
-    std::optional<JointBounds> bounds;
-    bool knowsJoints = false;  // in this cycle
-  };
-
   void step();
   bool readScene();
   void forgetScene();
   bool readArms();
-  bool read(Side& side);
+  bool read(GuidedSide& side);
   void lookForKnot();
   bool mustBeginAnew();
   bool begin();
   /// Returns false if a slave did not take its goal.
   bool move();
-  bool send(Side& side, const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
-            const Eigen::Vector3d& tip);
   Eigen::Vector3d knotOfTips() const;
   TipPair permitted(const TipPair& wish, const RoomPair& rooms);
   Eigen::Vector3d withoutHaste(const Eigen::Vector3d& wish) const;
-  void forget(const TipPair& wish, const TipPair& step);
+  /// Lets the hands feel what the fixtures forbid of a wish, and forgets it.
+  void forbid(const TipPair& forbidden);
   Eigen::Vector3d kept(const Eigen::Vector3d& wish, const Eigen::Vector3d& step) const;
   bool isRefused();
   void giveUp(const char* why);
@@ -151,8 +119,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   void enter(GuidanceState state);
 
   const GuideParameters parameters_;
-  Side left_{*this, "LeftMaster", "LeftSlave"};
-  Side right_{*this, "RightMaster", "RightSlave"};
+  GuidedSide left_, right_;
   suture::Required<KnotVision> vision_{*this, "Vision"};
   suture::Required<Registration> registration_{*this, "Registration"};
   SUTURE_REQUIRED(optional()) suture::Required<FootPedals> pedals_{*this, "Pedals"};
@@ -173,6 +140,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   bool enableAtFirstCycle_;
   bool offers_ = false;  // the slaves get their own set-points as goals
   GuidanceProgress progress_;
+  ForbiddenMotion forbidden_;  // valid only while it guides
 };
 
 }  // namespace robots

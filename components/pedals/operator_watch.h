@@ -25,7 +25,11 @@ class OperatorWatch {
   bool teleoperates() {
     const auto pedals = pedals_.pedals();
     const bool isFree = isFresh(pedals) && !pedals->clutch && !pedals->camera;
-    if (!pedals_.isAbsent() && !isFree) return false;
+    return (pedals_.isAbsent() || isFree) && isPresent();
+  }
+  /// Returns true if the surgeon is there, whatever the pedals say. What was said of presence above
+  /// counts here too.
+  bool isPresent() {
     const auto presence = presence_.presence();
     return presence_.isAbsent() || (isFresh(presence) && presence->present);
   }

@@ -26,10 +26,17 @@ CrossoverParameters crossoverOf(const OperatorParameters& parameters) {
           .seed = parameters.seed};
 }
 
+PassivePort::Model portOf(const OperatorParameters& parameters) {
+  return {.passive = parameters.passive, .mass = handOf(parameters, 0).mass};
+}
+
 PositionPositionModel feedbackOf(const OperatorParameters& parameters) {
-  return {.gains = {parameters.stiffness, parameters.damping},
-          .passive = parameters.passive,
-          .mass = handOf(parameters, 0).mass};
+  return {.gains = {parameters.stiffness, parameters.damping}, .port = portOf(parameters)};
+}
+
+FixtureResistanceModel resistanceOf(const OperatorParameters& parameters) {
+  return {.damping = parameters.feel_fixtures ? parameters.resistance : 0,
+          .port = portOf(parameters)};
 }
 
 }  // namespace
@@ -83,9 +90,25 @@ void Operator::lead(suture::Time now, double seconds, const Vector3d& error) {
   if (speed > parameters_.speed) rate *= parameters_.speed / speed;
   intended_ += seconds * rate;
   orient();  // the camera may have been moved
-  const bool leftTook = left_.follow(now, seconds, intended_);
-  const bool rightTook = right_.follow(now, seconds, intended_);
+  const ForbiddenMotion forbidden = forbiddenAtConsole();
+  const bool leftTook = left_.follow(now, seconds, intended_, forbidden.left);
+  const bool rightTook = right_.follow(now, seconds, intended_, forbidden.right);
   if (!leftTook || !rightTook) holds_ = false;
+}
+
+/// Returns what the fixtures forbid as it looks at the console, to the scale of the masters; zero
+/// if that is not known or not felt.
+ForbiddenMotion Operator::forbiddenAtConsole() {
+  if (!parameters_.feel_fixtures) return {};
+  const auto forbidden = guidance_.forbidden_motion();
+  const auto frames = registration_.frames();
+  if (!forbidden || !forbidden->valid || !frames) return {};
+  if (suture::now() - forbidden->stamp > parameters_.slave_age) return {};
+  const Eigen::Matrix3d toHands = sceneAtConsole(*frames) / parameters_.scale;
+  return {.left = toHands * forbidden->left,
+          .right = toHands * forbidden->right,
+          .stamp = forbidden->stamp,
+          .valid = true};
 }
 
 Vector3d Operator::seenError(suture::Time now) {
@@ -106,6 +129,7 @@ Operator::Side::Side(Operator& self, const char* masterName, const char* slaveNa
       slave(self, slaveName),
       hand(handOf(shared, number)),
       feedback(feedbackOf(shared)),
+      resistance(resistanceOf(shared)),
       slaveRate(kRateFilter) {
   if (shared.force_feedback == ForceFeedback::None) slave.makeOptional();
 }
@@ -116,6 +140,7 @@ bool Operator::Side::begin() {
   start = pose->pose;
   hand.restAt(Vector3d::Zero());
   slaveStart.reset();
+  resistance.beginAt(hand.position());
   return true;
 }
 
@@ -128,15 +153,20 @@ void Operator::Side::orient(const Eigen::Matrix3d& newFromMaster,
   slaveStart.reset();
 }
 
-/// Makes the master go where the hand goes. Returns false if it did not take its goal.
-bool Operator::Side::follow(suture::Time now, double seconds, const Vector3d& intended) {
-  hand.advance(seconds, intended, feedbackForce(seconds));
+bool Operator::Side::follow(suture::Time now, double seconds, const Vector3d& intended,
+                            const Vector3d& forbidden) {
+  const Vector3d force =
+      seconds > 0
+          ? Vector3d(forceOfSlave(seconds) +
+                     resistance.force({hand.position(), hand.velocity()}, forbidden, seconds))
+          : Vector3d::Zero();
+  hand.advance(seconds, intended, force);
   const Eigen::Translation3d moved(fromMaster.transpose() * hand.position());
   return master.servo_cp({moved * start, now, true}).has_value();
 }
 
-Vector3d Operator::Side::feedbackForce(double seconds) {
-  if (parameters.force_feedback == ForceFeedback::None || !(seconds > 0)) return Vector3d::Zero();
+Vector3d Operator::Side::forceOfSlave(double seconds) {
+  if (parameters.force_feedback == ForceFeedback::None) return Vector3d::Zero();
   const auto sample = slave.measured_cp();
   const PoseStamped* const pose = freshMeasurement(sample, parameters.slave_age);
   if (pose == nullptr) {

@@ -7,6 +7,7 @@
 #include <suture/component/task/periodic_task.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
 #include "drives/rate_filter.h"
+#include "force_feedback/fixture_resistance.h"
 #include "force_feedback/position_position.h"
 #include "guidance/guidance.suture.h"
 #include "hand/hand.h"
@@ -56,10 +58,14 @@ struct SUTURE_TYPE() OperatorParameters {
   /// Each master is drawn this stiffly, and damped this much, to where its slave is known to be.
   SUTURE_FIELD(unit("N/m"), range(0, 5000)) double stiffness = 300;
   SUTURE_FIELD(unit("N.s/m"), range(0, 100)) double damping = 3;
+  /// If it is true, each hand also feels what the guide's fixtures forbid it
+  /// (force_feedback/fixture_resistance.h): they resist it with so much for each m/s.
+  bool feel_fixtures = false;
+  SUTURE_FIELD(unit("N.s/m"), range(0, 1000)) double resistance = 60;
   /// If it is true, the passivity controller works; without it, hands may get more energy than they
   /// gave.
   bool passive = true;
-  /// A slave that was measured longer ago is not felt.
+  /// A slave that was measured longer ago is not felt, nor is what was forbidden longer ago.
   suture::Duration slave_age = std::chrono::milliseconds(300);
 };
 
@@ -74,7 +80,7 @@ struct SUTURE_TYPE() OperatorParameters {
 /// With force feedback the motors of both masters are simulated here, with the hands that they
 /// push, because the simulated arms go where they are sent, and take no force in addition
 /// (README.md). A hand feels where its slave is, as far as the link has brought that, against where
-/// it leads it.
+/// it leads it. It can also feel what the guide's fixtures forbid it.
 class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
  public:
   /// Throws suture::SetupError for an age that is not above zero, or is above a minute.
@@ -83,9 +89,10 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
   void run() override;
 
   /// The operator's thread. Return the energy in J that each hand has given to the motors that push
-  /// it, along the axis that has least.
-  double leftEnergy() const { return left_.feedback.energy().minCoeff(); }
-  double rightEnergy() const { return right_.feedback.energy().minCoeff(); }
+  /// it, along the axis that has least; each
+  /// feedback has an account of its own, and this is the lower.
+  double leftEnergy() const { return left_.energy(); }
+  double rightEnergy() const { return right_.energy(); }
 
  private:
   /// A Side is a hand and the master that it holds.
@@ -95,9 +102,16 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
 
     bool begin();
     void orient(const Eigen::Matrix3d& newFromMaster, const Eigen::Matrix3d& newFromSlave);
-    bool follow(suture::Time now, double seconds, const Eigen::Vector3d& intended);
-    /// Returns the force in N with which the motors push the hand for the next `seconds`.
-    Eigen::Vector3d feedbackForce(double seconds);
+    /// Makes the master go where the hand goes, while the fixtures forbid so much of it, in m/s at
+    /// the console. Returns false if the master did not take its goal.
+    bool follow(suture::Time now, double seconds, const Eigen::Vector3d& intended,
+                const Eigen::Vector3d& forbidden);
+    /// Returns the force in N with which the motors push the hand for the next `seconds`, for what
+    /// the slave does.
+    Eigen::Vector3d forceOfSlave(double seconds);
+    double energy() const {
+      return std::min(feedback.energy().minCoeff(), resistance.energy().minCoeff());
+    }
 
     const OperatorParameters& parameters;
     suture::Required<Arm> master, slave;  // the slave is needed for force feedback alone
@@ -109,6 +123,7 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
     Eigen::Matrix3d fromSlave = Eigen::Matrix3d::Identity();
     Hand hand;  // from where it began, m in the console's directions
     PositionPosition feedback;
+    FixtureResistance resistance;
     RateFilter<3> slaveRate;
     // The slave was here while the hand was at its origin, to the scale of the master, in m;
     // none while it is not felt.
@@ -119,6 +134,7 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
   /// operator does not see it.
   Eigen::Vector3d seenError(suture::Time now);
   bool orient();
+  ForbiddenMotion forbiddenAtConsole();
   void begin();
   void lead(suture::Time now, double seconds, const Eigen::Vector3d& error);
 

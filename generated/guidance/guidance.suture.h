@@ -27,8 +27,22 @@ bool store(const GuidanceProgress& value, GuidanceProgressSlot& slot);
 void load(const GuidanceProgressSlot& slot, GuidanceProgress& value);
 void shiftStamps(GuidanceProgressSlot& slot, suture::Duration shift);
 
+/// Says how fast the hands lead each tip where the fixtures let none go, in the scene: what a hand
+/// should feel of them. What a fixture only delays is not in it.
+struct ForbiddenMotionSlot {
+  std::array<double, 3> left;   // Eigen::Vector3d, m/s
+  std::array<double, 3> right;  // Eigen::Vector3d, m/s
+  std::int64_t stamp;           // suture::Time, ns
+  std::uint8_t valid;           // bool
+};
+
+bool store(const ForbiddenMotion& value, ForbiddenMotionSlot& slot);
+void load(const ForbiddenMotionSlot& slot, ForbiddenMotion& value);
+void shiftStamps(ForbiddenMotionSlot& slot, suture::Duration shift);
+
 bool isKnownGuidanceState(std::uint8_t slot);
 bool isValid(const GuidanceProgressSlot& slot, suture::FieldPath* path);
+bool isValid(const ForbiddenMotionSlot& slot, suture::FieldPath* path);
 
 /// Numbers the commands of Guidance.
 struct GuidanceCommand {
@@ -36,6 +50,7 @@ struct GuidanceCommand {
   static constexpr std::uint16_t progress = 1;
   static constexpr std::uint16_t enable = 2;
   static constexpr std::uint16_t disable = 3;
+  static constexpr std::uint16_t forbidden_motion = 4;
 };
 
 /// Numbers the events of Guidance.
@@ -47,6 +62,7 @@ struct GuidanceEvent {
 struct GuidanceColumn {
   static constexpr std::uint16_t guidance_state = 0;
   static constexpr std::uint16_t progress = 1;
+  static constexpr std::uint16_t forbidden_motion = 2;
 };
 
 }  // namespace robots
@@ -57,6 +73,11 @@ template <>
 Result<std::vector<std::byte>> encode(const robots::GuidanceProgress& value);
 template <>
 Result<> decode(std::span<const std::byte> bytes, robots::GuidanceProgress& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ForbiddenMotion& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ForbiddenMotion& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Guidance>();
@@ -84,6 +105,10 @@ class Required<robots::Guidance> : public RequiredBase {
   /// Stops guiding. Both slaves hold.
   /// Void: up to 16 wait.
   Command<&Contract::disable, NoSlot> disable{*this, Id::disable};
+  /// A client at the masters makes hands feel this, as components/force_feedback says.
+  /// Read: answered at once with what the last cycle left.
+  ReadCommand<&Contract::forbidden_motion, robots::ForbiddenMotionSlot> forbidden_motion{
+      *this, Id::forbidden_motion};
 
   /// Subscribes to the events of robots::Guidance.
   struct Events {

@@ -58,6 +58,25 @@ suture::Errc fromWire(wire::GuidanceProgress::Reader in, GuidanceProgressSlot& s
       : suture::codec::fromDefault(GuidanceProgress().knot, slot.knot);
 }
 
+void toWire(const ForbiddenMotionSlot& slot, wire::ForbiddenMotion::Builder out) {
+  toWire(slot.left, out.initLeft());
+  toWire(slot.right, out.initRight());
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+suture::Errc fromWire(wire::ForbiddenMotion::Reader in, ForbiddenMotionSlot& slot,
+                      suture::Duration shift) {
+  slot.stamp = suture::codec::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return suture::codec::firstError({
+      in.hasLeft() ? fromWire(in.getLeft(), slot.left)
+          : suture::codec::fromDefault(ForbiddenMotion().left, slot.left),
+      in.hasRight() ? fromWire(in.getRight(), slot.right)
+          : suture::codec::fromDefault(ForbiddenMotion().right, slot.right),
+  });
+}
+
 // --- Guidance as Cap'n Proto
 
 namespace {
@@ -77,6 +96,16 @@ void encodeGuidanceProgressResult(const GuidanceProgressSlot& slot,
 }
 suture::Errc decodeGuidanceProgressResult(wire::Guidance::ProgressResults::Reader in,
                                           GuidanceProgressSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
+}
+
+void encodeGuidanceForbiddenMotionResult(const ForbiddenMotionSlot& slot,
+                                         wire::Guidance::ForbiddenMotionResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+suture::Errc decodeGuidanceForbiddenMotionResult(wire::Guidance::ForbiddenMotionResults::Reader in,
+                                                 ForbiddenMotionSlot& slot,
+                                                 suture::Duration shift) {
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
@@ -107,6 +136,17 @@ suture::Errc decodeGuidanceProgressColumn(wire::GuidanceStateRow::Reader in,
   return in.hasProgress() ? fromWire(in.getProgress(), slot, shift) : suture::Errc::Invalid;
 }
 
+void encodeGuidanceForbiddenMotionColumn(const ForbiddenMotionSlot& slot,
+                                         wire::GuidanceStateRow::Builder out) {
+  toWire(slot, out.initForbiddenMotion());
+}
+suture::Errc decodeGuidanceForbiddenMotionColumn(wire::GuidanceStateRow::Reader in,
+                                                 ForbiddenMotionSlot& slot,
+                                                 suture::Duration shift) {
+  return in.hasForbiddenMotion() ? fromWire(in.getForbiddenMotion(), slot, shift)
+      : suture::Errc::Invalid;
+}
+
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeGuidanceColumn(unsigned column, const std::byte* memory,
                           wire::GuidanceStateRow::Builder out) {
@@ -115,6 +155,8 @@ void encodeGuidanceColumn(unsigned column, const std::byte* memory,
       return encodeGuidanceGuidanceStateColumn(suture::slotIn<std::uint8_t>(memory), out);
     case GuidanceColumn::progress:
       return encodeGuidanceProgressColumn(suture::slotIn<GuidanceProgressSlot>(memory), out);
+    case GuidanceColumn::forbidden_motion:
+      return encodeGuidanceForbiddenMotionColumn(suture::slotIn<ForbiddenMotionSlot>(memory), out);
   }
 }
 suture::Errc decodeGuidanceColumn(wire::GuidanceStateRow::Reader in, unsigned column,
@@ -124,6 +166,9 @@ suture::Errc decodeGuidanceColumn(wire::GuidanceStateRow::Reader in, unsigned co
       return decodeGuidanceGuidanceStateColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
     case GuidanceColumn::progress:
       return decodeGuidanceProgressColumn(in, suture::newSlot<GuidanceProgressSlot>(memory), shift);
+    case GuidanceColumn::forbidden_motion:
+      return decodeGuidanceForbiddenMotionColumn(in, suture::newSlot<ForbiddenMotionSlot>(memory),
+                                                 shift);
   }
   return suture::Errc::Invalid;
 }
@@ -148,6 +193,13 @@ constexpr suture::codec::CommandCodec kGuidanceCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Guidance>(),
      .method = 4,
      .sent = suture::codec::sentIn<wire::Guidance::DisableParams>},
+    {.interface = capnp::typeId<wire::Guidance>(),
+     .method = 5,
+     .sent = suture::codec::sentIn<wire::Guidance::ForbiddenMotionParams>,
+     .result = suture::codec::messageOf<wire::Guidance::ForbiddenMotionResults, ForbiddenMotionSlot,
+                                        encodeGuidanceForbiddenMotionResult,
+                                        decodeGuidanceForbiddenMotionResult>,
+     .stamp = suture::codec::stampIn<wire::Guidance::ForbiddenMotionResults>},
 };
 
 constexpr suture::codec::EventCodec kGuidanceEventCodecs[] = {
@@ -186,6 +238,16 @@ template <>
 Result<> decode(std::span<const std::byte> bytes, robots::GuidanceProgress& value) {
   return codec::decodeAs<robots::wire::GuidanceProgress,
                          robots::GuidanceProgressSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ForbiddenMotion& value) {
+  return codec::encodeAs<robots::wire::ForbiddenMotion, robots::ForbiddenMotionSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ForbiddenMotion& value) {
+  return codec::decodeAs<robots::wire::ForbiddenMotion, robots::ForbiddenMotionSlot>(bytes, value);
 }
 
 }  // namespace suture

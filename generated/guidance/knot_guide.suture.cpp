@@ -36,6 +36,7 @@ static_assert(std::is_same_v<decltype(GuideParameters::speed), double>);
 static_assert(std::is_same_v<decltype(GuideParameters::separation), double>);
 static_assert(std::is_same_v<decltype(GuideParameters::friction), double>);
 static_assert(std::is_same_v<decltype(GuideParameters::wrap), double>);
+static_assert(std::is_same_v<decltype(GuideParameters::master_damping), double>);
 
 }  // namespace
 
@@ -58,6 +59,7 @@ bool store(const GuideParameters& value, GuideParametersSlot& slot) {
   fits &= store(value.separation, slot.separation);
   fits &= store(value.friction, slot.friction);
   fits &= store(value.wrap, slot.wrap);
+  fits &= store(value.master_damping, slot.master_damping);
   return fits;
 }
 
@@ -79,6 +81,7 @@ void load(const GuideParametersSlot& slot, GuideParameters& value) {
   load(slot.separation, value.separation);
   load(slot.friction, value.friction);
   load(slot.wrap, value.wrap);
+  load(slot.master_damping, value.master_damping);
 }
 
 bool isValid(const GuideParametersSlot& slot, suture::FieldPath* path) {
@@ -90,7 +93,8 @@ bool isValid(const GuideParametersSlot& slot, suture::FieldPath* path) {
   if (!suture::inRange(slot.speed, 0.001, 1)) return suture::refusedAt(path, "speed");
   if (!suture::inRange(slot.separation, 0, 0.1)) return suture::refusedAt(path, "separation");
   if (!suture::inRange(slot.friction, 0, 1)) return suture::refusedAt(path, "friction");
-  return suture::inRange(slot.wrap, 0, 100) || suture::refusedAt(path, "wrap");
+  if (!suture::inRange(slot.wrap, 0, 100)) return suture::refusedAt(path, "wrap");
+  return suture::inRange(slot.master_damping, 0, 1000) || suture::refusedAt(path, "master_damping");
 }
 
 }  // namespace robots
@@ -116,6 +120,7 @@ void fromJson(const suture::JsonReader& in, GuideParameters& value) {
   reader.field("separation", value.separation, 0, 0.1);
   reader.field("friction", value.friction, 0, 1);
   reader.field("wrap", value.wrap, 0, 100);
+  reader.field("master_damping", value.master_damping, 0, 1000);
   reader.finish();
 }
 

@@ -35,7 +35,8 @@ struct GuideParametersSlot {
   double speed;       // m/s
   double separation;  // m
   double friction;
-  double wrap;  // rad
+  double wrap;            // rad
+  double master_damping;  // N.s/m
 };
 
 bool store(const GuideParameters& value, GuideParametersSlot& slot);

@@ -30,6 +30,7 @@ void toWire(const GuideParametersSlot& slot, wire::GuideParameters::Builder out)
   out.setSeparation(slot.separation);
   out.setFriction(slot.friction);
   out.setWrap(slot.wrap);
+  out.setMasterDamping(slot.master_damping);
 }
 
 suture::Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slot,
@@ -49,6 +50,7 @@ suture::Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slo
   slot.separation = in.getSeparation();
   slot.friction = in.getFriction();
   slot.wrap = in.getWrap();
+  slot.master_damping = in.getMasterDamping();
   return suture::codec::firstError({
       in.hasTarget() ? fromWire(in.getTarget(), slot.target)
           : suture::codec::fromDefault(GuideParameters().target, slot.target),

@@ -33,6 +33,8 @@ static_assert(std::is_same_v<decltype(OperatorParameters::picture_age), std::chr
 static_assert(std::is_same_v<decltype(OperatorParameters::force_feedback), ForceFeedback>);
 static_assert(std::is_same_v<decltype(OperatorParameters::stiffness), double>);
 static_assert(std::is_same_v<decltype(OperatorParameters::damping), double>);
+static_assert(std::is_same_v<decltype(OperatorParameters::feel_fixtures), bool>);
+static_assert(std::is_same_v<decltype(OperatorParameters::resistance), double>);
 static_assert(std::is_same_v<decltype(OperatorParameters::passive), bool>);
 static_assert(std::is_same_v<decltype(OperatorParameters::slave_age), std::chrono::nanoseconds>);
 
@@ -53,6 +55,8 @@ bool store(const OperatorParameters& value, OperatorParametersSlot& slot) {
   fits &= store(value.force_feedback, slot.force_feedback);
   fits &= store(value.stiffness, slot.stiffness);
   fits &= store(value.damping, slot.damping);
+  fits &= store(value.feel_fixtures, slot.feel_fixtures);
+  fits &= store(value.resistance, slot.resistance);
   fits &= store(value.passive, slot.passive);
   fits &= store(value.slave_age, slot.slave_age);
   return fits;
@@ -72,6 +76,8 @@ void load(const OperatorParametersSlot& slot, OperatorParameters& value) {
   load(slot.force_feedback, value.force_feedback);
   load(slot.stiffness, value.stiffness);
   load(slot.damping, value.damping);
+  load(slot.feel_fixtures, value.feel_fixtures);
+  load(slot.resistance, value.resistance);
   load(slot.passive, value.passive);
   load(slot.slave_age, value.slave_age);
 }
@@ -96,7 +102,8 @@ bool isValid(const OperatorParametersSlot& slot, suture::FieldPath* path) {
   if (!suture::inRange(slot.speed, 0.001, 1)) return suture::refusedAt(path, "speed");
   if (!isKnownForceFeedback(slot.force_feedback)) return suture::refusedAt(path, "force_feedback");
   if (!suture::inRange(slot.stiffness, 0, 5000)) return suture::refusedAt(path, "stiffness");
-  return suture::inRange(slot.damping, 0, 100) || suture::refusedAt(path, "damping");
+  if (!suture::inRange(slot.damping, 0, 100)) return suture::refusedAt(path, "damping");
+  return suture::inRange(slot.resistance, 0, 1000) || suture::refusedAt(path, "resistance");
 }
 
 }  // namespace robots
@@ -124,6 +131,8 @@ void fromJson(const suture::JsonReader& in, OperatorParameters& value) {
   reader.field("force_feedback", value.force_feedback);
   reader.field("stiffness", value.stiffness, 0, 5000);
   reader.field("damping", value.damping, 0, 100);
+  reader.field("feel_fixtures", value.feel_fixtures);
+  reader.field("resistance", value.resistance, 0, 1000);
   reader.field("passive", value.passive);
   reader.field("slave_age", value.slave_age);
   reader.finish();

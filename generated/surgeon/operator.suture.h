@@ -30,6 +30,8 @@ struct OperatorParametersSlot {
   std::uint8_t force_feedback;  // ForceFeedback
   double stiffness;             // N/m
   double damping;               // N.s/m
+  std::uint8_t feel_fixtures;   // bool
+  double resistance;            // N.s/m
   std::uint8_t passive;         // bool
   std::int64_t slave_age;       // std::chrono::nanoseconds, ns
 };

@@ -44,6 +44,8 @@ void toWire(const OperatorParametersSlot& slot, wire::OperatorParameters::Builde
   out.setForceFeedback(wireForceFeedback(slot.force_feedback));
   out.setStiffness(slot.stiffness);
   out.setDamping(slot.damping);
+  out.setFeelFixtures(slot.feel_fixtures != 0);
+  out.setResistance(slot.resistance);
   out.setPassive(slot.passive != 0);
   out.setSlaveAge(slot.slave_age);
 }
@@ -61,6 +63,8 @@ suture::Errc fromWire(wire::OperatorParameters::Reader in, OperatorParametersSlo
   slot.picture_age = in.getPictureAge();
   slot.stiffness = in.getStiffness();
   slot.damping = in.getDamping();
+  slot.feel_fixtures = in.getFeelFixtures();
+  slot.resistance = in.getResistance();
   slot.passive = in.getPassive();
   slot.slave_age = in.getSlaveAge();
   return suture::codec::firstError({

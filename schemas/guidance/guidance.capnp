@@ -53,6 +53,9 @@ interface Guidance @0xf839a0ec32e2aeaf $Meta.cxx("robots::Guidance") {
   # restarted. It does not enable an arm in FAULT: the operator who has removed the cause does.
   disable @4 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Stops guiding. Both slaves hold.
+  forbiddenMotion @5 (sent :Rpc.Sent) -> (value :ForbiddenMotion, stamp :Int64)
+      $Meta.cxx("forbidden_motion") $Meta.kind("read");
+  # A client at the masters makes hands feel this, as components/force_feedback says.
 }
 
 interface GuidanceEvents @0xf87738b35a660df1 $Meta.eventsOf("robots::Guidance") {
@@ -76,4 +79,17 @@ struct GuidanceStateRow @0xaa6c5932ff7a6316 $Meta.stateOf("robots::Guidance") {
   # Bit i: column i did not fit its declared capacity.
   guidanceState @3 :GuidanceState $Meta.cxx("guidance_state");
   progress @4 :GuidanceProgress;
+  forbiddenMotion @5 :ForbiddenMotion $Meta.cxx("forbidden_motion");
+}
+
+struct ForbiddenMotion @0xae50c2ec0f36c217 $Meta.cxx("robots::ForbiddenMotion") {
+  # Says how fast the hands lead each tip where the fixtures let none go, in the scene: what a hand
+  # should feel of them. What a fixture only delays is not in it.
+
+  left @0 :Types.Vec3 $Meta.unit("m/s");
+  right @1 :Types.Vec3 $Meta.unit("m/s");
+  stamp @2 :Int64 $Meta.clock("steady");
+  # The stamp is that of the guide's cycle.
+  valid @3 :Bool;
+  # This is false while the guide does not guide.
 }

@@ -46,4 +46,10 @@ struct GuideParameters @0xc5a448822c5a8c36 $Meta.cxx("robots::GuideParameters") 
       $Meta.period("1/1000000000");
   # If the arms and the registration are not ready after this time, the guide is disabled. With 0
   # it waits for ever.
+  masterDamping @18 :Float64 $Meta.cxx("master_damping") $Meta.range(lowest = 0, highest = 1000)
+      $Meta.unit("N.s/m");
+  # Each master presses against its hand with so much for each m/s that the fixtures forbid it,
+  # and floats in its hand while a pedal takes it from its slave. That is for a master that a hand
+  # moves and whose drives control efforts, because body_servo_cf ends every other stream. With 0
+  # the masters get no forces.
 }

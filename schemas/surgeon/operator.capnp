@@ -39,7 +39,11 @@ struct OperatorParameters @0xaf56e73ffd937125 $Meta.cxx("robots::OperatorParamet
   # If it is true, the passivity controller works; without it, hands may get more energy than they
   # gave.
   slaveAge @14 :Int64 = 300000000 $Meta.cxx("slave_age") $Meta.period("1/1000000000");
-  # A slave that was measured longer ago is not felt.
+  # A slave that was measured longer ago is not felt, nor is what was forbidden longer ago.
+  feelFixtures @15 :Bool $Meta.cxx("feel_fixtures");
+  # If it is true, each hand also feels what the guide's fixtures forbid it
+  # (force_feedback/fixture_resistance.h): they resist it with so much for each m/s.
+  resistance @16 :Float64 = 60.0 $Meta.range(lowest = 0, highest = 1000) $Meta.unit("N.s/m");
 }
 
 enum ForceFeedback @0x9ef5532985c8a260 $Meta.cxx("robots::ForceFeedback") $Meta.underlying("UInt8") {

@@ -29,6 +29,7 @@ class Scene final : public suture::PeriodicTask, public KnotVision, public Guida
   void disable() override {}
   GuidanceState guidance_state() const override { return GuidanceState::Guiding; }
   const GuidanceProgress& progress() const override { return progress_; }
+  const ForbiddenMotion& forbidden_motion() const override { return forbidden_; }
   const KnotSighting& sighting() const override { return sighting_; }
 
   std::atomic<bool> covered = false;  ///< no camera sees the knot
@@ -46,6 +47,7 @@ class Scene final : public suture::PeriodicTask, public KnotVision, public Guida
 
   KnotSighting sighting_;
   GuidanceProgress progress_;
+  ForbiddenMotion forbidden_;
   suture::Required<Arm> left_{*this, "Left"}, right_{*this, "Right"};
   suture::Provided<KnotVision> vision_{*this, "Vision", *this};
   suture::Provided<Guidance> guidance_{*this, "Guidance", *this};

@@ -53,7 +53,7 @@ Outcome outcome(Wish wish, const PositionPositionModel& model, int delay, double
 PositionPositionModel with(double stiffness, bool passive) {
   PositionPositionModel model;
   model.gains = {stiffness, stiffness / 100};
-  model.passive = passive;
+  model.port.passive = passive;
   return model;
 }
 
@@ -151,7 +151,7 @@ TEST(PositionPosition, GivesNothingBackThatFrictionHasTaken) {
 
 TEST(PositionPosition, PushesNoHarderThanItsBound) {
   PositionPositionModel model = with(300, false);
-  model.most_force = 4;
+  model.port.most_force = 4;
   PositionPosition feedback(model);
   const TipMotion far{.position = {1, -1, 0.01}};
   EXPECT_EQ(feedback.force(TipMotion{}, far, 0.001), Vector3d(4, -4, 3));
@@ -159,8 +159,8 @@ TEST(PositionPosition, PushesNoHarderThanItsBound) {
 
 TEST(PositionPosition, RefusesWhatCannotBe) {
   EXPECT_THROW(PositionPosition({.gains = {-1, 0}}), std::invalid_argument);
-  EXPECT_THROW(PositionPosition({.most_force = std::nan("")}), std::invalid_argument);
-  EXPECT_THROW(PositionPosition({.mass = -1}), std::invalid_argument);
+  EXPECT_THROW(PositionPosition({.port = {.most_force = std::nan("")}}), std::invalid_argument);
+  EXPECT_THROW(PositionPosition({.port = {.mass = -1}}), std::invalid_argument);
 }
 
 TEST(PositionPosition, NeverAllocatesInACycle) {

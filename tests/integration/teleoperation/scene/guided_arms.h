@@ -65,7 +65,8 @@ struct Complaints final : suture::Device {
 
 class Guide : public testing::Test {
  protected:
-  explicit Guide(const SceneFrames& frames = {}) : registration_(frames) {
+  explicit Guide(const SceneFrames& frames = {}, const GuideParameters& parameters = kPatient)
+      : registration_(frames), guide_(parameters) {
     for (std::size_t i = 0; i < arms_.size(); ++i) {
       const bool isLeft = i % 2 == 0;
       arms_[i].place(at({isLeft ? -0.04 : 0.04, 0, -0.03}));
@@ -126,13 +127,14 @@ class Guide : public testing::Test {
   }
 
   static constexpr suture::Duration kPreparationLimit = 5s;
+  static inline const GuideParameters kPatient{.preparation_limit = kPreparationLimit};
   static inline const std::array<std::string, 4> kNames{"LeftMaster", "RightMaster", "LeftSlave",
                                                         "RightSlave"};
   suture::Manager manager_{"console"};
   std::array<ScriptedArm, 4> arms_;
   Eyes eyes_;
   RegistrationTable registration_;
-  KnotGuide guide_{GuideParameters{.preparation_limit = kPreparationLimit}};
+  KnotGuide guide_;
   Listener listener_;
   Complaints complaints_;
   TestConsole console_;

@@ -148,9 +148,15 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     return goals_;
   }
+  /// Returns the wrenches of body_servo_cf that it has got.
+  std::vector<WrenchGoal> wrenches() const {
+    const std::lock_guard lock(mutex_);
+    return wrenches_;
+  }
   void forgetGoals() {
     const std::lock_guard lock(mutex_);
     goals_.clear();
+    wrenches_.clear();
   }
 
   void servo_cp(const PoseStamped& goal) override {
@@ -167,6 +173,10 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     obeyed_ = suture::now();
     pose_ = goal.pose;
     pose_.translation().z() = std::max(pose_.translation().z(), lowest_);
+  }
+  void body_servo_cf(const WrenchGoal& goal) override {
+    const std::lock_guard lock(mutex_);
+    wrenches_.push_back(goal);
   }
   /// It is there in no time.
   void move_cp(const PoseStamped& goal) override {
@@ -243,6 +253,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   mutable std::mutex mutex_;
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
   std::vector<PoseStamped> goals_;
+  std::vector<WrenchGoal> wrenches_;
   std::deque<Eigen::Isometry3d> past_;  // the oldest first, with the present pose
   std::size_t late_ = 0;                // cycles
   double longestStep_ = std::numeric_limits<double>::infinity();
