@@ -183,11 +183,7 @@ std::vector<Trouble> Host::troubles() const {
   const std::vector<Trouble> connections = connectionTroubles();
   found.insert(found.end(), connections.begin(), connections.end());
   if (const std::string address = manager_->missingGlobalManager(); !address.empty()) {
-    found.push_back(
-        {"the global manager at " + address,
-         "does not answer: connections live on, new ones have to wait for one that does. "
-         "Start it again",
-         false});
+    found.push_back({"the global manager at " + address, kManagerIsMissing, false});
   }
   return found;
 }

@@ -11,6 +11,7 @@
 #include <suture/loop/signal_wait.h>
 #include <suture/loop/standard_streams.h>
 #include <suture/observe/observe.h>
+#include <suture/session/telling.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -179,7 +180,7 @@ class Run {
       const bool stays = std::any_of(present.begin(), present.end(), [&](const Trouble& trouble) {
         return trouble.subject == one.trouble.subject;
       });
-      if (!stays && host_.exists(one.trouble)) tell(one.trouble.subject + " is there again");
+      if (!stays && host_.exists(one.trouble)) tell(one.trouble.subject + " " + kIsThereAgain);
       return !stays;
     });
     notice(present, ending);

@@ -64,9 +64,10 @@ class Manager {
   void add(const std::string& name, Component& component);
 
   /// Before start() and the first connection: gives `taker` the lines that it would print on
-  /// standard error when a component faults or goes on, and when a connection to another process is
-  /// lost, there again, or cannot be made anew; null: nobody is told. Several threads call it, also
-  /// that of a task that has just faulted, so it must not wait.
+  /// standard error when a component faults or goes on, when a connection to another process is
+  /// lost, there again, or cannot be made anew, and when its global manager is missing or there
+  /// again; null: nobody is told. Several threads call it, also that of a task that has just
+  /// faulted, so it must not wait.
   void tellBy(Telling::Taker taker) { telling_->giveTo(std::move(taker)); }
 
   /// Before start() and the first connection: sets the scheduling of the threads that carry

@@ -8,6 +8,7 @@
 #include <suture/rt/standard_error.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -23,11 +24,12 @@ constexpr Duration kLongestPause = std::chrono::milliseconds(250);
 }  // namespace
 
 ManagerLease::ManagerLease(loop::ControlThread& control, const net::Address& manager,
-                           std::string program, net::Trust trust)
+                           std::string program, net::Trust trust, News news)
     : control_(control),
       manager_(manager),
       program_(std::move(program)),
       trust_(std::move(trust)),
+      news_(std::move(news)),
       lookup_(control.port(), manager),
       here_(manager) {}
 
@@ -73,6 +75,7 @@ kj::Promise<void> ManagerLease::enrolNow() {
     process_.generation = results.getGeneration();
     lease_ = results.getLease();
     enrolled_ = true;
+    tell(true);
     if (untold_) update(std::vector(process_.components));
     return kj::READY_NOW;
   });
@@ -113,10 +116,15 @@ kj::Promise<void> ManagerLease::comeBack(Duration pause) {
 
 // The name is free for the next attempt as soon as the manager has seen the end of this one.
 void ManagerLease::drop() {
-  enrolled_ = false;
+  if (enrolled_.exchange(false)) tell(false);
   lease_ = nullptr;
   session_ = nullptr;
   link_ = nullptr;
+}
+
+// The first registration is no news.
+void ManagerLease::tell(bool known) {
+  if (std::exchange(toldGone_, !known) != !known) news_(manager_, known);
 }
 
 void ManagerLease::update(std::vector<ComponentRecord> components) {

@@ -9,6 +9,7 @@
 #include <suture/net/secure.h>
 
 #include <atomic>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,12 @@ namespace suture {
 /// was gone or silent, or to its successor, as often as needed.
 class ManagerLease {
  public:
+  /// Told what becomes of a registration: `known` is false when a manager that knew the process
+  /// does not answer any more or does not know it, and true when it does again.
+  using News = std::function<void(const net::Address& manager, bool known)>;
+
   ManagerLease(loop::ControlThread& control, const net::Address& manager, std::string program,
-               net::Trust trust);
+               net::Trust trust, News news);
 
   const net::Address& address() const { return manager_; }
   /// Once open: returns where peers of the network of the manager reach this machine, with port 0.
@@ -53,12 +58,14 @@ class ManagerLease {
   kj::Promise<void> renew();
   kj::Promise<void> comeBack(Duration pause);
   void drop();
+  void tell(bool known);
   kj::Exception gone() const;
 
   loop::ControlThread& control_;
   const net::Address manager_;
   const std::string program_;
   const net::Trust trust_;
+  const News news_;
   net::HostLookup lookup_;
   net::Address here_;
   kj::Maybe<kj::Own<framing::Link>> link_;
@@ -67,6 +74,7 @@ class ManagerLease {
   ProcessRecord process_;
   bool untold_ = false;  // its components have changed since it was registered
   std::atomic<bool> enrolled_{false};
+  bool toldGone_ = false;
   kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
 };
 

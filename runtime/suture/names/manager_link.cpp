@@ -34,10 +34,11 @@ struct ManagerLink::Failures {
 };
 
 ManagerLink::ManagerLink(loop::ControlThread& control, const std::vector<net::Address>& managers,
-                         const std::string& program, const net::Trust& trust)
+                         const std::string& program, const net::Trust& trust,
+                         const ManagerLease::News& news)
     : control_(control), trust_(trust) {
   for (const net::Address& manager : managers) {
-    leases_.push_back(std::make_unique<ManagerLease>(control, manager, program, trust));
+    leases_.push_back(std::make_unique<ManagerLease>(control, manager, program, trust, news));
   }
 }
 

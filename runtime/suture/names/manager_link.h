@@ -14,9 +14,12 @@ namespace suture {
 /// nothing has to be handed over when one dies.
 class ManagerLink {
  public:
-  /// `managers` has at least one, in the order in which they are asked for names.
-  ManagerLink(loop::ControlThread& control, const std::vector<net::Address>& managers,
-              const std::string& program, const net::Trust& trust = {});
+  /// `managers` has at least one, in the order in which they are asked for names. `news` hears of
+  /// each in the control thread.
+  ManagerLink(
+      loop::ControlThread& control, const std::vector<net::Address>& managers,
+      const std::string& program, const net::Trust& trust = {},
+      const ManagerLease::News& news = [](const net::Address&, bool) {});
 
   /// Resolves as soon as one manager answers and the others have answered or failed; tries again
   /// for `patience`. Rejects with what was found and what to do.

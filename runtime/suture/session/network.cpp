@@ -126,7 +126,7 @@ void Network::connect(RequiredBase& required, Endpoint from, Endpoint to, Connec
     const RemoteConnection::Listener listener{
         .made =
             [this, name](std::shared_ptr<Channel> channel) {
-              if (news_.connected(name) != nullptr) tellOf(channel->name(), "is there again");
+              if (news_.connected(name) != nullptr) tellOf(channel->name(), kIsThereAgain);
               news_.made(name, std::move(channel));
             },
         .lost =
@@ -200,8 +200,12 @@ std::vector<std::shared_ptr<Channel>> Network::served() const {
 
 kj::Promise<void> Network::join(Duration patience) {
   givenUp_ = std::make_unique<loop::Milestone>();
-  link_ =
-      std::make_unique<ManagerLink>(control_, managers_, directory_.process(), security_.trust());
+  const auto tellOfManager = [this](const net::Address& manager, bool known) {
+    telling_.tell("the global manager at " + manager.text() + " " +
+                  (known ? kIsThereAgain : kManagerIsMissing));
+  };
+  link_ = std::make_unique<ManagerLink>(control_, managers_, directory_.process(),
+                                        security_.trust(), tellOfManager);
   sessions_ = std::make_unique<Sessions>(control_, *link_, lanes_,
                                          SessionIdentity{directory_.process(), incarnation_});
   const std::string waits = "waits for a global manager " + atMost(patience) + ". " +

@@ -2,6 +2,8 @@
 #include <suture/rt/standard_error.h>
 #include <suture/session/telling.h>
 
+#include <utility>
+
 namespace suture {
 namespace {
 
@@ -21,9 +23,21 @@ const char* remedyFor(const std::string& reason) {
 }  // namespace
 
 Telling::Telling(const std::string& process)
-    : taker_([process](const std::string& line) {
+    : taker_(std::make_shared<const Taker>([process](const std::string& line) {
         rt::printUnlessFull(process + ": " + plain(line));
-      }) {}
+      })) {}
+
+void Telling::giveTo(Taker taker) {
+  const std::lock_guard lock(mutex_);
+  taker_ = std::make_shared<const Taker>(std::move(taker));
+}
+
+void Telling::tell(const std::string& line) const {
+  std::unique_lock lock(mutex_);
+  const std::shared_ptr<const Taker> taker = taker_;
+  lock.unlock();
+  if (*taker) (*taker)(line);
+}
 
 std::string lossText(std::string why) {
   if (why.ends_with('.')) why.pop_back();  // what TLS says is a whole sentence

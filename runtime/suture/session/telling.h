@@ -2,6 +2,8 @@
 // A process tells people what becomes of its components and connections.
 
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <string>
 
 namespace suture {
@@ -13,16 +15,21 @@ class Telling {
 
   explicit Telling(const std::string& process);
 
-  /// Before anything can be told. Lines then go to `taker`, or nowhere if it is null.
-  void giveTo(Taker taker) { taker_ = std::move(taker); }
+  /// Any thread. Lines then go to `taker`, or nowhere if it is null.
+  void giveTo(Taker taker);
   /// Any thread, also that of a task that has just faulted.
-  void tell(const std::string& line) const {
-    if (taker_) taker_(line);
-  }
+  void tell(const std::string& line) const;
 
  private:
-  Taker taker_;
+  mutable std::mutex mutex_;  // not held while a line is told
+  std::shared_ptr<const Taker> taker_;
 };
+
+/// Says of a connection, or of a global manager, that it was missing.
+inline constexpr const char* kIsThereAgain = "is there again";
+/// Says what is missing without a global manager.
+inline constexpr const char* kManagerIsMissing =
+    "does not answer: connections live on, new ones have to wait for one that does. Start it again";
 
 /// Returns "is lost, closed: its process has ended. Start that process again ..." for the reason
 /// that ConnectionNews has.

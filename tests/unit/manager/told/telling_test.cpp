@@ -123,5 +123,24 @@ TEST(Telling, ALossAndAReturnAreTold) {
   EXPECT_TRUE(contains(told, connection + "is there again\n")) << told;
 }
 
+TEST(Telling, TheManagersEndAndReturnAreTold) {
+  TemporaryDirectory directory;
+  const std::string address = "unix:" + directory.file("manager.sock");
+  const std::string told = toldBy([&] {
+    loop::ControlThread control;
+    auto global = std::make_optional<GlobalManager>(control, address);
+    Manager here("here", address);
+    global.reset();
+    EXPECT_TRUE(eventually([&] { return !here.missingGlobalManager().empty(); }));
+    global.emplace(control, address);
+    EXPECT_TRUE(eventually([&] { return here.missingGlobalManager().empty(); }));
+  });
+  const std::string manager = "here: the global manager at " + address;
+  EXPECT_EQ(told, manager +
+                      " does not answer: connections live on, new ones have to wait for one that "
+                      "does. Start it again\n" +
+                      manager + " is there again\n");
+}
+
 }  // namespace
 }  // namespace suture
