@@ -82,7 +82,8 @@ class Comparison {
     }
     for (const Node& node : now.nodes) {
       if (!old.text.empty() && !known.contains(&node)) {
-        add(Change::New, Effect::None, {}, {&node}, titleOf(node), " is new");
+        add(Change::New, Effect::None, {}, {&node}, titleOf(node), " is new").hint =
+            hintOfRename(old, nodes, node);
       }
     }
     return std::move(found_);
@@ -206,17 +207,40 @@ class Comparison {
     }
   }
 
-  /// Says what to do if it was a rename: without was() that looks like something removed and
+  /// Say what to do if it was a rename: without was() that looks like something removed and
   /// something new of one form.
   std::string hintOfRename(const Node& old, const Node& now, const Member& added) const {
     for (std::size_t i = 0; i < std::min(old.members.size(), now.members.size()); ++i) {
       const Member& before = old.members[i];
       const bool gone = now.members[i].removed() && !before.removed();
-      if (!gone || before.isMethod != added.isMethod) continue;
-      if (renames_.apply(before.type) != added.type) continue;
-      return "if it is '" + before.name + "' under another name, say was(\"" + before.name + "\")";
+      if (!gone || !haveOneForm(before, added)) continue;
+      return hintOfRename(before.name);
     }
     return "";
+  }
+  std::string hintOfRename(const Lock& old, const Nodes& nodes, const Node& added) const {
+    for (const Node& before : old.nodes) {
+      const Node* const now = nodes.find(before);
+      const bool gone = now != nullptr && now->removed() && !before.removed();
+      if (!gone || before.kind != added.kind) continue;
+      if (haveOneForm(before.members, added.members)) return hintOfRename(before.name);
+    }
+    return "";
+  }
+  static std::string hintOfRename(const std::string& before) {
+    return "if it is '" + before + "' under another name, say was(\"" + before + "\")";
+  }
+
+  /// Returns true if a member can be an earlier one under another name.
+  bool haveOneForm(const Member& before, const Member& now) const {
+    return before.isMethod == now.isMethod && renames_.apply(before.type) == now.type &&
+           haveOneForm(before.parameters, now.parameters) &&
+           haveOneForm(before.results, now.results);
+  }
+  bool haveOneForm(const std::vector<Member>& before, const std::vector<Member>& now) const {
+    return std::equal(
+        before.begin(), before.end(), now.begin(), now.end(),
+        [this](const Member& old, const Member& one) { return haveOneForm(old, one); });
   }
 
   void compare(LockPlace before, LockPlace now) {

@@ -116,7 +116,7 @@ class Judge {
                  "leave " +
                  one.before.node->name + " in its header";
         }
-        return "a type never changes: add '" + one.before.member->name +
+        return hintOfRenamedType(one) + "a type never changes: add '" + one.before.member->name +
                "' anew under another name and remove the old one";
       case Change::Meaning:
         return "a change of " + one.what +
@@ -127,6 +127,23 @@ class Judge {
       case Change::Version: return "keep the version while old peers are in use";
       default: return "restore the lock";
     }
+  }
+
+  /// Says what to do if the member's type is the earlier one under another name: without was() that
+  /// looks like another type. Returns "" if it cannot be.
+  std::string hintOfRenamedType(const Difference& one) const {
+    if (one.now.member == nullptr) return "";
+    const std::string before = leafOf(one.before.member->type), now = leafOf(one.now.member->type);
+    const bool gone = isInLock(before) && !nodes_.contains(before);
+    const bool isNew = nodes_.contains(now) && !isInLock(now);
+    if (!gone || !isNew) return "";
+    return "if '" + now + "' is '" + before + "' under another name, say was(\"" + before +
+           "\") on '" + now + "'; else ";
+  }
+
+  bool isInLock(const std::string& name) const {
+    return std::any_of(old_.nodes.begin(), old_.nodes.end(),
+                       [&](const Node& node) { return node.name == name && !node.removed(); });
   }
 
   /// Tells if what moved here has a composite now that this lock does not share with the other.
