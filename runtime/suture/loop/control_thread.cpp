@@ -1,30 +1,18 @@
-#include <suture/base/errors.h>
 #include <suture/loop/control_thread.h>
 #include <suture/rt/scheduling.h>
 #include <suture/rt/standard_error.h>
-#include <sys/eventfd.h>
 
 #include <pthread.h>
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 
 namespace suture::loop {
 
-kj::AutoCloseFd ControlThread::makeEventDescriptor() {
-  const int descriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  if (descriptor < 0) {
-    throw SetupError("start the control thread", std::string("eventfd: ") + std::strerror(errno),
-                     "Raise the limit of open files (ulimit -n).");
-  }
-  return kj::AutoCloseFd(descriptor);
-}
-
 ControlThread::Loop::Loop(ControlThread& thread)
     : EventPort(&thread.doorbell()),
       owner(thread),
-      rung(*this, thread.bell_->eventDescriptor, FdObserver::OBSERVE_READ),
+      rung(*this, thread.bell_.descriptor(), FdObserver::OBSERVE_READ),
       tasks(*this) {}
 
 void ControlThread::Loop::runUntilStopped() {

@@ -3,11 +3,10 @@
 
 #include <kj/async.h>
 #include <kj/function.h>
-#include <kj/io.h>
 #include <suture/base/time.h>
+#include <suture/loop/event_bell.h>
 #include <suture/loop/event_port.h>
 #include <suture/loop/outcome.h>
-#include <suture/rt/doorbell.h>
 #include <suture/rt/thread.h>
 
 #include <atomic>
@@ -59,9 +58,9 @@ class ControlThread {
   }
 
   /// Any thread rings it when a pump has something to take.
-  rt::Doorbell& doorbell() { return bell_->doorbell; }
+  rt::Doorbell& doorbell() { return bell_.doorbell(); }
   /// Returns the same doorbell for those who may ring it after this object is gone.
-  std::shared_ptr<rt::Doorbell> sharedDoorbell() { return {bell_, &bell_->doorbell}; }
+  std::shared_ptr<rt::Doorbell> sharedDoorbell() { return bell_.sharedDoorbell(); }
 
   /// The rest is only for the control thread.
   bool isCurrent() const { return thread_.isCurrent(); }
@@ -74,11 +73,6 @@ class ControlThread {
   void remove(Pump& pump);
 
  private:
-  struct Bell {
-    kj::AutoCloseFd eventDescriptor = makeEventDescriptor();
-    rt::Doorbell doorbell{eventDescriptor.get()};
-  };
-
   /// Handles the doorbell whenever KJ has nothing to do.
   struct Loop final : EventPort, kj::TaskSet::ErrorHandler {
     explicit Loop(ControlThread& owner);
@@ -90,18 +84,17 @@ class ControlThread {
     void taskFailed(kj::Exception&& exception) override { report(exception); }
 
     ControlThread& owner;
-    FdObserver rung;  // its edge ends the sleep; the eventfd is never read
+    FdObserver rung;
     kj::Own<kj::PromiseFulfiller<void>> stop;
     kj::TaskSet tasks;
   };
 
-  static kj::AutoCloseFd makeEventDescriptor();
   void serve();
   void requireOther() const;
   void runPosted();
   void runPumps();
 
-  const std::shared_ptr<Bell> bell_ = std::make_shared<Bell>();
+  const EventBell bell_{"start the control thread"};
   std::mutex mutex_;  // never taken by a task thread
   std::vector<kj::Function<void()>> posted_;
   std::atomic<bool> anyPosted_{false};

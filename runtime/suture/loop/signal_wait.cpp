@@ -1,6 +1,5 @@
 #include <poll.h>
 #include <suture/loop/signal_wait.h>
-#include <sys/eventfd.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -36,19 +35,18 @@ kj::AutoCloseFd SignalWait::descriptor() const {
 }
 
 OnToldToEnd::OnToldToEnd(const SignalWait& signals, std::function<void()> act)
-    : told_(signals.descriptor()), over_(eventfd(0, EFD_CLOEXEC)), act_(std::move(act)) {
+    : told_(signals.descriptor()), act_(std::move(act)) {
   thread_ = std::thread([this] { wait(); });
 }
 
 OnToldToEnd::~OnToldToEnd() {
-  const std::uint64_t one = 1;
-  [[maybe_unused]] const auto written = write(over_, &one, sizeof one);
+  over_.ring();
   thread_.join();
 }
 
 void OnToldToEnd::wait() const {
   pollfd awaited[] = {{.fd = told_, .events = POLLIN, .revents = 0},
-                      {.fd = over_, .events = POLLIN, .revents = 0}};
+                      {.fd = over_.get(), .events = POLLIN, .revents = 0}};
   while (poll(awaited, std::size(awaited), -1) < 0 && errno == EINTR) {
   }
   signalfd_siginfo signal;

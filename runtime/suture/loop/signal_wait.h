@@ -3,6 +3,7 @@
 
 #include <kj/io.h>
 #include <suture/base/time.h>
+#include <suture/loop/event_descriptor.h>
 
 #include <csignal>
 #include <functional>
@@ -38,7 +39,8 @@ class OnToldToEnd {
  private:
   void wait() const;
 
-  const kj::AutoCloseFd told_, over_;
+  const kj::AutoCloseFd told_;
+  const EventDescriptor over_{"wait for the signal to end"};
   const std::function<void()> act_;
   std::thread thread_;
 };

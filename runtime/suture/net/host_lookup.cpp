@@ -1,8 +1,8 @@
 #include <netdb.h>
 #include <sched.h>
 #include <suture/loop/deadline.h>
+#include <suture/loop/event_descriptor.h>
 #include <suture/net/host_lookup.h>
-#include <sys/eventfd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -81,17 +81,11 @@ struct HostLookup::Question {
     } catch (const SetupError& error) {
       why = error.what();
     }
-    const std::uint64_t one = 1;
-    [[maybe_unused]] const auto written = write(answered, &one, sizeof one);
-  }
-  /// Call this once `answered` can be read.
-  void take() const {
-    std::uint64_t count;
-    [[maybe_unused]] const auto taken = read(answered, &count, sizeof count);
+    answered.ring();
   }
 
   const Address address;
-  const kj::AutoCloseFd answered{eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
+  const loop::EventDescriptor answered{asked(address)};
   std::vector<Address> places;
   std::string why;
 };
@@ -122,12 +116,13 @@ kj::Promise<std::vector<Address>> HostLookup::known(const std::string& why) cons
 }
 
 kj::Promise<void> HostLookup::ask() {
-  auto question = std::make_shared<Question>(address_);
-  if (question->answered.get() < 0) {
-    return loop::disconnected(asked(address_) + ": " + std::strerror(errno) +
-                              ". Raise the limit of open files (ulimit -n).");
+  std::shared_ptr<Question> question;
+  try {
+    question = std::make_shared<Question>(address_);
+  } catch (const SetupError& error) {
+    return loop::disconnected(error.what());
   }
-  auto observer = kj::heap<loop::EventPort::FdObserver>(port_, question->answered,
+  auto observer = kj::heap<loop::EventPort::FdObserver>(port_, question->answered.get(),
                                                         loop::EventPort::FdObserver::OBSERVE_READ);
   auto answered = observer->whenBecomesReadable();
   try {
@@ -140,7 +135,7 @@ kj::Promise<void> HostLookup::ask() {
                               ". Let this process have threads.");
   }
   return answered.attach(kj::mv(observer)).then([this, question] {
-    question->take();
+    question->answered.take();
     asking_ = false;
     why_ = question->why;
     if (!question->places.empty()) known_ = question->places;

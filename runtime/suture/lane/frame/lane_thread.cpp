@@ -4,7 +4,6 @@
 
 #include <poll.h>
 #include <sys/epoll.h>
-#include <sys/eventfd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -16,31 +15,25 @@ namespace {
 // Limits what one look brings; the rest comes with the next.
 constexpr int kArrivals = 64;
 
-kj::AutoCloseFd opened(int descriptor, const char* what) {
+kj::AutoCloseFd makePoll() {
+  const int descriptor = epoll_create1(EPOLL_CLOEXEC);
   if (descriptor >= 0) return kj::AutoCloseFd(descriptor);
-  throw SetupError(std::string("make ") + what + " for the thread of frames", std::strerror(errno),
+  throw SetupError("make an epoll for the thread of frames", std::strerror(errno),
                    "Raise the limit of open files (ulimit -n).");
 }
 
 }  // namespace
 
-std::shared_ptr<LaneThread::Bell> LaneThread::makeBell() {
-  auto descriptor = opened(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "an eventfd");
-  const int number = descriptor;
-  return std::shared_ptr<Bell>(new Bell{kj::mv(descriptor), rt::Doorbell(number)});
-}
-
-LaneThread::LaneThread() : poll_(opened(epoll_create1(EPOLL_CLOEXEC), "an epoll")) {
-  // The edge of the eventfd ends the sleep; it is never read.
+LaneThread::LaneThread() : poll_(makePoll()) {
   epoll_event event{.events = EPOLLIN | EPOLLET, .data = {.ptr = nullptr}};
-  if (epoll_ctl(poll_, EPOLL_CTL_ADD, bell_->eventDescriptor, &event) == 0) return;
+  if (epoll_ctl(poll_, EPOLL_CTL_ADD, bell_.descriptor(), &event) == 0) return;
   throw SetupError("watch the bell of the thread of frames", std::strerror(errno),
                    "Raise the limit of what a user watches (fs.epoll.max_user_watches)");
 }
 
 void LaneThread::stop() {
   stopping_ = true;
-  bell_->doorbell.ring();
+  bell_.doorbell().ring();
   if (thread_.joinable()) thread_.join();
   carried_.clear();
 }
@@ -55,7 +48,7 @@ void LaneThread::add(std::shared_ptr<Link> link) {
           "lane", [this] { loop(); }, rt::Thread::Signals::None);
     }
   }
-  bell_->doorbell.ring();
+  bell_.doorbell().ring();
 }
 
 void LaneThread::loop() {
@@ -63,7 +56,7 @@ void LaneThread::loop() {
   rt::askForSlice(rt::kServiceSlice);
   // Take a ring before looking for a stop: the ring of a later stop() then ends the sleep.
   for (;;) {
-    const bool rung = bell_->doorbell.takeRing() != rt::RungFor::Nothing;
+    const bool rung = bell_.doorbell().takeRing() != rt::RungFor::Nothing;
     if (stopping_) break;
     if (!rung) requireRing();
     takeOver();
@@ -101,13 +94,13 @@ void LaneThread::watch(const Carried& carried, int operation) {
   if (operation == EPOLL_CTL_DEL) return;
   carried.link->breakOff(std::string("the kernel does not watch its socket: ") +
                          std::strerror(errno));
-  bell_->doorbell.ring();
+  bell_.doorbell().ring();
 }
 
 void LaneThread::turnAll() {
   for (Carried& one : carried_) {
     one.link->turn();
-    if (one.link->hasMore()) bell_->doorbell.ring();
+    if (one.link->hasMore()) bell_.doorbell().ring();
     if (one.link->isFull() == one.full) continue;
     one.full = !one.full;
     watch(one, EPOLL_CTL_MOD);
@@ -128,11 +121,11 @@ bool LaneThread::isDone(const Carried& carried) {
 void LaneThread::sleep() {
   if (virtualTime() != nullptr) {
     const Time due = carried_.empty() ? Time::max() : now() + rt::Doorbell::kLookAgain;
-    bell_->doorbell.sleepAt(*this, due);
+    bell_.doorbell().sleepAt(*this, due);
     takeArrivals(0);
     return;
   }
-  const bool maySleep = bell_->doorbell.prepareToSleep();
+  const bool maySleep = bell_.doorbell().prepareToSleep();
   takeArrivals(maySleep ? -1 : 0);
 }
 
@@ -146,7 +139,7 @@ bool LaneThread::mayFind() {
 int LaneThread::takeArrivals(int timeout) {
   epoll_event events[kArrivals];
   const int count = epoll_wait(poll_, events, kArrivals, timeout);
-  bell_->doorbell.endSleep();
+  bell_.doorbell().endSleep();
   for (int i = 0; i < count; ++i) {
     auto* const link = static_cast<Link*>(events[i].data.ptr);
     if (link != nullptr && (events[i].events & ~std::uint32_t{EPOLLOUT}) != 0) link->arrived();

@@ -3,7 +3,7 @@
 
 #include <kj/io.h>
 #include <suture/lane/frame/link.h>
-#include <suture/rt/doorbell.h>
+#include <suture/loop/event_bell.h>
 #include <suture/rt/thread.h>
 
 #include <atomic>
@@ -32,19 +32,14 @@ class LaneThread : private VirtualTime::Sockets {
 
   /// Any thread rings it when a channel has something, or a link another connection or owner, also
   /// after this object is gone.
-  std::shared_ptr<rt::Doorbell> doorbell() { return {bell_, &bell_->doorbell}; }
+  std::shared_ptr<rt::Doorbell> doorbell() { return bell_.sharedDoorbell(); }
 
  private:
-  struct Bell {
-    kj::AutoCloseFd eventDescriptor;
-    rt::Doorbell doorbell;
-  };
   struct Carried {
     std::shared_ptr<Link> link;
     bool full = false;  // the poll waits for room in its socket
   };
 
-  static std::shared_ptr<Bell> makeBell();
   void loop();
   void requireRing();
   void takeOver();
@@ -56,7 +51,7 @@ class LaneThread : private VirtualTime::Sockets {
   bool mayFind() final;
   int takeArrivals(int timeout);
 
-  const std::shared_ptr<Bell> bell_ = makeBell();
+  const loop::EventBell bell_{"start the thread of frames"};
   kj::AutoCloseFd poll_;
   std::atomic<bool> stopping_{false}, anyAdded_{false};
   std::mutex mutex_;  // no control loop waits for it, because links are made rarely
