@@ -20,7 +20,7 @@ const Decoder& chosen(std::uint8_t byte) { return decoders()[byte % decoders().s
 void receive(const Decoder& decoder, std::span<const std::byte> bytes) {
   framing::StreamLimits limits;
   limits.messageBytes = 1u << 16;
-  const auto header = framing::parseFrameHeader(bytes, limits).header;
+  const auto header = framing::parseMessageHeader(bytes, limits).header;
   if (!header || header->totalBytes > bytes.size()) return;
   auto words = kj::heapArray<capnp::word>(header->totalBytes / sizeof(capnp::word));
   std::memcpy(words.begin(), bytes.data(), header->totalBytes);

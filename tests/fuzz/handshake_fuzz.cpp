@@ -60,7 +60,7 @@ std::vector<std::byte> beginning(Input& input) {
       const std::array<capnp::word, 2> segment{};
       const kj::ArrayPtr<const capnp::word> segments[] = {
           kj::arrayPtr(segment.data(), input.byte() % 3), kj::arrayPtr(segment.data(), 1)};
-      framing::appendFrame(kj::arrayPtr(segments, 1 + input.byte() % 2), bytes);
+      framing::appendMessage(kj::arrayPtr(segments, 1 + input.byte() % 2), bytes);
       break;
     }
     default: break;

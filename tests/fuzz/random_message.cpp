@@ -1,7 +1,7 @@
 #include "tests/fuzz/random_message.h"
 
 #include <capnp/dynamic.h>
-#include <suture/framing/frame_header.h>
+#include <suture/framing/message_header.h>
 
 #include <algorithm>
 #include <limits>
@@ -137,7 +137,7 @@ std::vector<std::byte> randomFrame(const Decoder& decoder, Random& random) {
   const auto root = message.getRoot<DynamicStruct>(decoder.schema);
   Filler(random).fill(root, kDepth);
   std::vector<std::byte> frame;
-  framing::appendFrame(message.getSegmentsForOutput(), frame);
+  framing::appendMessage(message.getSegmentsForOutput(), frame);
   return frame;
 }
 

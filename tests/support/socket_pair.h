@@ -7,7 +7,7 @@
 #include <kj/async-io.h>
 #include <kj/io.h>
 #include <poll.h>
-#include <suture/framing/frame_header.h>
+#include <suture/framing/message_header.h>
 #include <suture/loop/event_port.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -78,7 +78,7 @@ inline std::vector<std::byte> blobFrame(std::size_t size, unsigned char fill = 7
   auto blob = message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(size);
   memset(blob.begin(), fill, blob.size());
   std::vector<std::byte> bytes;
-  framing::appendFrame(message.getSegmentsForOutput(), bytes);
+  framing::appendMessage(message.getSegmentsForOutput(), bytes);
   return bytes;
 }
 

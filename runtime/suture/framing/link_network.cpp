@@ -24,7 +24,7 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
     // A peer that receives more than it allows ends the link, but only this call should fail. What
     // is thrown here becomes the outcome of the call.
     const auto segments = message_.getSegmentsForOutput();
-    const std::size_t bytes = frameBytes(segments);
+    const std::size_t bytes = bytesOfMessage(segments);
     MessageStream& stream = *network_.stream_;
     if (bytes > stream.limits().messageBytes) {
       kj::throwFatalException(remoteError(Errc::TooLarge));

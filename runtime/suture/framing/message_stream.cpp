@@ -94,11 +94,11 @@ MessageStream::Reading MessageStream::waitAndRead() {
 kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
   noteWhetherKnown();
   const auto bytes = incoming_.bytes();
-  const FrameParse parse = parseFrameHeader(bytes, limits_);
+  const HeaderParse parse = parseMessageHeader(bytes, limits_);
   if (isStranger() && parse.header && parse.header->totalBytes > limits_.strangerBytes) {
     refuse(kTooLongOfStranger);
   }
-  if (parse.fault != FrameFault::None) {
+  if (parse.fault != HeaderFault::None) {
     refuse(!anyMessage_ && isTls(bytes) ? kOtherSpeaksTls : toString(parse.fault));
   }
   if (!parse.header) return nullptr;
@@ -109,12 +109,12 @@ kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
   }
   anyMessage_ = true;
   partialSince_ = nullptr;
-  auto frame = incoming_.take(parse.header->totalBytes);
+  auto whole = incoming_.take(parse.header->totalBytes);
   countUnfinished();
   kj::Array<kj::AutoCloseFd> descriptors;
   if (!arrivedDescriptors_.empty()) descriptors = arrivedDescriptors_.takeUntil(taken());
   kj::Own<capnp::IncomingRpcMessage> message = kj::heap<ReceivedMessage>(
-      kj::mv(frame), *parse.header, readerOptions(limits_), kj::mv(descriptors));
+      kj::mv(whole), *parse.header, readerOptions(limits_), kj::mv(descriptors));
   const std::string_view broken = judge_(*message, isStranger());
   if (!broken.empty()) refuse(std::string(broken));
   return kj::mv(message);
@@ -192,7 +192,7 @@ void MessageStream::write(Segments message, Leaves when, kj::ArrayPtr<const int>
   if (writeFailure_ != nullptr) return;
   const std::uint64_t begin = counters_->sentBytes + outgoing_.size() - outgoingBegin_;
   // The bytes are copied, so that the next messages can leave in the same send.
-  appendFrame(message, outgoing_);
+  appendMessage(message, outgoing_);
   if (descriptors.size() > 0) {
     const std::uint64_t end = counters_->sentBytes + outgoing_.size() - outgoingBegin_;
     outgoingDescriptors_.add({begin, end, net::duplicate(descriptors)});

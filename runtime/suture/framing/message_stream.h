@@ -7,7 +7,7 @@
 #include <capnp/rpc.h>
 #include <kj/async-unix.h>
 #include <kj/function.h>
-#include <suture/framing/frame_header.h>
+#include <suture/framing/message_header.h>
 #include <suture/framing/peer_budget.h>
 #include <suture/framing/receive_buffer.h>
 #include <suture/loop/event_port.h>

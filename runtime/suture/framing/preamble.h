@@ -1,7 +1,7 @@
 #pragma once
 // The first bytes of a connection say what it is for: messages, or a lane that awaits it.
 
-#include <suture/framing/frame_header.h>
+#include <suture/framing/message_header.h>
 #include <suture/loop/event_port.h>
 #include <suture/net/byte_stream.h>
 

@@ -2,7 +2,7 @@
 // This holds bytes that have arrived and are not yet messages.
 
 #include <kj/array.h>
-#include <suture/framing/frame_header.h>
+#include <suture/framing/message_header.h>
 
 #include <cstddef>
 #include <span>

@@ -3,7 +3,7 @@
 #include <capnp/message.h>
 #include <capnp/serialize.h>
 #include <suture/base/errors.h>
-#include <suture/framing/frame_header.h>
+#include <suture/framing/message_header.h>
 
 #include <array>
 #include <cstring>
@@ -62,12 +62,12 @@ class Codec {
     ReusingBuilder message(scratch_);
     toWire(slot, message.initRoot<robots::wire::PosePrm>());
     frame_.clear();
-    suture::framing::appendFrame(message.finish(), frame_);
+    suture::framing::appendMessage(message.finish(), frame_);
     return frame_;
   }
 
   static void decode(std::span<const std::byte> frame, PosePrm& value) {
-    const auto parsed = suture::framing::parseFrameHeader(frame, {});
+    const auto parsed = suture::framing::parseMessageHeader(frame, {});
     if (!parsed.header || parsed.header->segments != 1) throw std::logic_error("not one message");
     const auto* words = reinterpret_cast<const capnp::word*>(frame.data());
     const Segment segments[] = {

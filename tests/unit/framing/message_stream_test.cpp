@@ -42,20 +42,20 @@ TEST_F(MessageStreamTest, RefusesDescriptorsThatNoMessageBrings) {
 TEST_F(MessageStreamTest, RefusesTheAdvisoryFrame) {
   open();
   sendAll(peer_, std::vector(16, std::byte{0xff}));
-  EXPECT_EQ(nextFault(), toString(FrameFault::TooManySegments));
+  EXPECT_EQ(nextFault(), toString(HeaderFault::TooManySegments));
 }
 
 TEST_F(MessageStreamTest, RefusesAPeerThatSendsText) {
   open();
   sendText(peer_, "GET / HTTP/1.1\r\nHost: robot\r\n\r\n");
-  EXPECT_EQ(nextFault(), toString(FrameFault::TooManySegments));
+  EXPECT_EQ(nextFault(), toString(HeaderFault::TooManySegments));
 }
 
 TEST_F(MessageStreamTest, RefusesAHugeLengthAtOnce) {
   open();
   const std::uint32_t words[2] = {0, 0xffffffff};
   sendAll(peer_, std::as_bytes(std::span(words)));
-  EXPECT_EQ(nextFault(), toString(FrameFault::TooLong));
+  EXPECT_EQ(nextFault(), toString(HeaderFault::TooLong));
 }
 
 TEST_F(MessageStreamTest, EveryRandomStartEndsInTime) {
@@ -69,8 +69,8 @@ TEST_F(MessageStreamTest, EveryRandomStartEndsInTime) {
     }
     sendAll(peer_, bytes);
     const std::string fault = nextFault();
-    EXPECT_TRUE(fault == toString(FrameFault::TooManySegments) ||
-                fault == toString(FrameFault::TooLong) || fault == kUnfinished)
+    EXPECT_TRUE(fault == toString(HeaderFault::TooManySegments) ||
+                fault == toString(HeaderFault::TooLong) || fault == kUnfinished)
         << fault;
   }
 }

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/framing/frame_header.h>
+#include <suture/framing/message_header.h>
 
 #include <cstring>
 
@@ -12,14 +12,14 @@ std::vector<std::byte> header(std::initializer_list<std::uint32_t> words) {
   return bytes;
 }
 
-TEST(FrameHeader, NeedsTheWholeTable) {
+TEST(MessageHeader, NeedsTheWholeTable) {
   const auto bytes = header({1, 3, 4, 0});
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    const auto parse = parseFrameHeader(std::span(bytes).first(size), {});
-    EXPECT_EQ(parse.fault, FrameFault::None) << size;
+    const auto parse = parseMessageHeader(std::span(bytes).first(size), {});
+    EXPECT_EQ(parse.fault, HeaderFault::None) << size;
     EXPECT_FALSE(parse.header) << size;
   }
-  const auto parse = parseFrameHeader(bytes, {});
+  const auto parse = parseMessageHeader(bytes, {});
   ASSERT_TRUE(parse.header);
   EXPECT_EQ(parse.header->segments, 2u);
   EXPECT_EQ(parse.header->headerBytes, 16u);
@@ -28,35 +28,35 @@ TEST(FrameHeader, NeedsTheWholeTable) {
   EXPECT_EQ(segmentWords(bytes, 1), 4u);
 }
 
-TEST(FrameHeader, RefusesACountThatWrapsToZero) {
+TEST(MessageHeader, RefusesACountThatWrapsToZero) {
   const auto bytes = header({0xffffffffu, 0, 0, 0});
-  EXPECT_EQ(parseFrameHeader(bytes, {}).fault, FrameFault::TooManySegments);
-  EXPECT_EQ(parseFrameHeader(std::span(bytes).first(4), {}).fault, FrameFault::TooManySegments);
+  EXPECT_EQ(parseMessageHeader(bytes, {}).fault, HeaderFault::TooManySegments);
+  EXPECT_EQ(parseMessageHeader(std::span(bytes).first(4), {}).fault, HeaderFault::TooManySegments);
 }
 
-TEST(FrameHeader, AcceptsTheLimitOfSegments) {
+TEST(MessageHeader, AcceptsTheLimitOfSegments) {
   std::vector<std::byte> bytes(std::size_t{8} * 257);
   const auto count = [&](std::uint32_t segments) {
     const std::uint32_t word = segments - 1;
     std::memcpy(bytes.data(), &word, sizeof(word));
-    return parseFrameHeader(bytes, {});
+    return parseMessageHeader(bytes, {});
   };
   EXPECT_TRUE(count(512).header);
-  EXPECT_EQ(count(513).fault, FrameFault::TooManySegments);
+  EXPECT_EQ(count(513).fault, HeaderFault::TooManySegments);
 }
 
-TEST(FrameHeader, AddsSizesWithoutWrapping) {
+TEST(MessageHeader, AddsSizesWithoutWrapping) {
   // Eight segments have 2^29 words each: 2^32 words, zero in 32 bits.
   const std::uint32_t big = 1u << 29;
   const auto bytes = header({7, big, big, big, big, big, big, big, big, 0});
-  EXPECT_EQ(parseFrameHeader(bytes, {}).fault, FrameFault::TooLong);
+  EXPECT_EQ(parseMessageHeader(bytes, {}).fault, HeaderFault::TooLong);
 }
 
-TEST(FrameHeader, AcceptsTheLimitOfBytes) {
+TEST(MessageHeader, AcceptsTheLimitOfBytes) {
   StreamLimits limits;
   limits.messageBytes = 800;
-  EXPECT_TRUE(parseFrameHeader(header({0, 99}), limits).header);
-  EXPECT_EQ(parseFrameHeader(header({0, 100}), limits).fault, FrameFault::TooLong);
+  EXPECT_TRUE(parseMessageHeader(header({0, 99}), limits).header);
+  EXPECT_EQ(parseMessageHeader(header({0, 100}), limits).fault, HeaderFault::TooLong);
 }
 
 }  // namespace

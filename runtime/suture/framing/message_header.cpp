@@ -1,4 +1,4 @@
-#include <suture/framing/frame_header.h>
+#include <suture/framing/message_header.h>
 
 #include <cstring>
 
@@ -17,31 +17,32 @@ constexpr std::size_t bytesOfHeader(std::uint64_t segments) { return (segments /
 
 }  // namespace
 
-FrameParse parseFrameHeader(std::span<const std::byte> bytes, const StreamLimits& limits) {
+HeaderParse parseMessageHeader(std::span<const std::byte> bytes, const StreamLimits& limits) {
   if (bytes.size() < sizeof(std::uint32_t)) return {};
   const std::uint64_t segments = std::uint64_t{wordAt(bytes, 0)} + 1;
-  if (segments > limits.segments) return {FrameFault::TooManySegments, {}};
+  if (segments > limits.segments) return {HeaderFault::TooManySegments, {}};
   const std::size_t headerBytes = bytesOfHeader(segments);
   if (bytes.size() < headerBytes) return {};
 
   std::uint64_t total = headerBytes;
   for (std::size_t i = 1; i <= segments; ++i) total += std::uint64_t{wordAt(bytes, i)} * kWord;
-  if (total > limits.messageBytes) return {FrameFault::TooLong, {}};
-  return {FrameFault::None, FrameHeader{static_cast<std::uint32_t>(segments), headerBytes, total}};
+  if (total > limits.messageBytes) return {HeaderFault::TooLong, {}};
+  return {HeaderFault::None,
+          MessageHeader{static_cast<std::uint32_t>(segments), headerBytes, total}};
 }
 
 std::uint32_t segmentWords(std::span<const std::byte> header, std::uint32_t index) {
   return wordAt(header, std::size_t{index} + 1);
 }
 
-std::size_t frameBytes(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments) {
+std::size_t bytesOfMessage(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments) {
   std::size_t bytes = bytesOfHeader(segments.size());
   for (const auto& segment : segments) bytes += segment.size() * kWord;
   return bytes;
 }
 
-void appendFrame(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
-                 std::vector<std::byte>& bytes) {
+void appendMessage(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
+                   std::vector<std::byte>& bytes) {
   const auto count = static_cast<std::uint32_t>(segments.size());
   const std::size_t begin = bytes.size();
   bytes.resize(begin + bytesOfHeader(count));
@@ -58,12 +59,12 @@ void appendFrame(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
   }
 }
 
-const char* toString(FrameFault fault) {
+const char* toString(HeaderFault fault) {
   switch (fault) {
-    case FrameFault::None: return "no fault";
-    case FrameFault::TooManySegments:
-      return "a frame header announces more segments than a message may have";
-    case FrameFault::TooLong: return "a frame header announces a message longer than the limit";
+    case HeaderFault::None: return "no fault";
+    case HeaderFault::TooManySegments:
+      return "a message header announces more segments than a message may have";
+    case HeaderFault::TooLong: return "a message header announces a message longer than the limit";
   }
   return "unknown fault";
 }

@@ -1,11 +1,11 @@
 #pragma once
-// This is the guard in front of Cap'n Proto: it looks at the header of a stream frame before the
+// This is the guard in front of Cap'n Proto: it looks at the header of a message before the
 // library does.
 //
-// A frame begins with the number of segments minus one and each segment's size in words, all 32-bit
-// little endian, padded to whole words. Release 0.9.2 computes with them in 32 bits, so a hostile
-// count wraps to zero and faults inside its reader (upstream advisory 2026-03-12-0). Here they are
-// added in 64 bits and bounded, and a frame that fails is never shown to the library.
+// A message begins with the number of segments minus one and each segment's size in words, all
+// 32-bit little endian, padded to whole words. Release 0.9.2 computes with them in 32 bits, so a
+// hostile count wraps to zero and faults inside its reader (upstream advisory 2026-03-12-0). Here
+// they are added in 64 bits and bounded, and a message that fails is never shown to the library.
 
 #include <capnp/common.h>
 
@@ -34,36 +34,36 @@ struct StreamLimits {
   std::int64_t helloMilliseconds = 10'000;     ///< accepted links: until the peer is known
 };
 
-/// Says where the parts of a frame lie.
-struct FrameHeader {
+/// Says where the parts of a message lie.
+struct MessageHeader {
   std::uint32_t segments = 0;
   std::size_t headerBytes = 0;
   std::size_t totalBytes = 0;  ///< header and body
 };
 
-enum class FrameFault : std::uint8_t { None, TooManySegments, TooLong };
+enum class HeaderFault : std::uint8_t { None, TooManySegments, TooLong };
 
-struct FrameParse {
-  FrameFault fault = FrameFault::None;
-  std::optional<FrameHeader> header;  ///< none: a fault, or not enough bytes yet
+struct HeaderParse {
+  HeaderFault fault = HeaderFault::None;
+  std::optional<MessageHeader> header;  ///< none: a fault, or not enough bytes yet
 };
 
 /// Reads the header at the start of `bytes`, of which any number may have arrived. Refuses as early
 /// as possible: the count of segments may be enough.
-FrameParse parseFrameHeader(std::span<const std::byte> bytes, const StreamLimits& limits);
+HeaderParse parseMessageHeader(std::span<const std::byte> bytes, const StreamLimits& limits);
 
-/// Returns the size in words of segment `index`, from a header that parseFrameHeader accepted.
+/// Returns the size in words of segment `index`, from a header that parseMessageHeader accepted.
 std::uint32_t segmentWords(std::span<const std::byte> header, std::uint32_t index);
 
 /// Returns the size of a message in the same format, header and body.
-std::size_t frameBytes(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments);
+std::size_t bytesOfMessage(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments);
 
 /// Appends a message in the same format, ready to send.
-void appendFrame(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
-                 std::vector<std::byte>& bytes);
+void appendMessage(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
+                   std::vector<std::byte>& bytes);
 
 /// Returns the fault in words; the text is static.
-const char* toString(FrameFault fault);
+const char* toString(HeaderFault fault);
 
 /// These say what to do about a peer that has let a deadline pass.
 inline constexpr const char* kSentNothing =
