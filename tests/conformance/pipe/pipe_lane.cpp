@@ -126,7 +126,7 @@ frame::FramedOn PipeLane::lead(kj::AutoCloseFd in, kj::AutoCloseFd out) {
   fcntl(socket, F_SETFL, O_NONBLOCK);
   pump(kj::AutoCloseFd(fcntl(here, F_DUPFD_CLOEXEC, 0)), kj::mv(out));
   pump(kj::mv(in), kj::mv(here));
-  auto link = std::make_shared<frame::Link>(net::ByteStream(kj::mv(socket)), kNumber);
+  auto link = std::make_shared<frame::FrameLink>(net::ByteStream(kj::mv(socket)), kNumber);
   thread_.add(link);
   return {name(), thread_, std::move(link), kNumber, frame::Form::Encoded};
 }

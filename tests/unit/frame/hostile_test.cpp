@@ -1,6 +1,6 @@
 // Frames that are whole and undamaged may say what they like: a channel is all that they reach.
 #include <gtest/gtest.h>
-#include <suture/lane/frame/link.h>
+#include <suture/lane/frame/frame_link.h>
 
 #include <array>
 #include <limits>
@@ -136,7 +136,7 @@ TEST(HostileFrames, AHostileClientReachesOnlyItsChannel) {
     auto pair = makeSocketPair();
     const auto side = makeSide<ProviderSide>(played.channel, kConnection, form);
     if (seed % 2 == 0) side->setReadOnly();
-    Link link(net::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
+    FrameLink link(net::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
     link.join(side);
     Peer peer(kj::mv(pair.theirs));
     Liar liar(seed, form);
@@ -164,7 +164,7 @@ TEST(HostileFrames, AHostileProviderReachesOnlyItsChannel) {
     Played played;
     auto pair = makeSocketPair();
     const auto side = makeSide<ClientSide>(played.channel, kConnection, form);
-    Link link(net::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
+    FrameLink link(net::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
     link.join(side);
     Peer peer(kj::mv(pair.theirs));
     Liar liar(seed, form);
@@ -199,7 +199,7 @@ std::string refusedOf(const Header& header, std::uint32_t size) {
   Played played;
   auto pair = makeSocketPair();
   const auto side = makeSide<Side>(played.channel, kConnection);
-  Link link(net::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
+  FrameLink link(net::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
   link.join(side);
   Peer peer(kj::mv(pair.theirs));
   peer.send(header, std::vector(size, std::byte{0xff}));  // no number

@@ -1,7 +1,7 @@
 #pragma once
 // Tests turn both links of a socket by hand with this.
 
-#include <suture/lane/frame/link.h>
+#include <suture/lane/frame/frame_link.h>
 
 #include <memory>
 
@@ -13,12 +13,12 @@ namespace suture::frame {
 struct JoinedLinks {
   JoinedLinks() : JoinedLinks(makeSocketPair()) {}
   explicit JoinedLinks(SocketPair pair)
-      : near(std::make_unique<Link>(net::ByteStream(kj::mv(pair.ours)), 1)),
-        far(std::make_unique<Link>(net::ByteStream(kj::mv(pair.theirs)), 1)) {}
+      : near(std::make_unique<FrameLink>(net::ByteStream(kj::mv(pair.ours)), 1)),
+        far(std::make_unique<FrameLink>(net::ByteStream(kj::mv(pair.theirs)), 1)) {}
 
   /// Gives each of them one turn, the provider's first: the client has what it sends.
   void turn() {
-    for (Link* const one : {far.get(), near.get()}) {
+    for (FrameLink* const one : {far.get(), near.get()}) {
       one->arrived();
       one->turn();
     }
@@ -28,7 +28,7 @@ struct JoinedLinks {
     for (int lap = 0; lap < 3; ++lap) turn();
   }
 
-  std::unique_ptr<Link> near, far;
+  std::unique_ptr<FrameLink> near, far;
 };
 
 }  // namespace suture::frame

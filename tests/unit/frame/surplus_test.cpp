@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <suture/lane/frame/bytes/frame_writer.h>
 #include <suture/lane/frame/bytes/surplus.h>
-#include <suture/lane/frame/link.h>
+#include <suture/lane/frame/frame_link.h>
 #include <sys/socket.h>
 
 #include <array>
@@ -76,7 +76,7 @@ class Growing {
 
  public:
   const std::shared_ptr<Channel> channel = reference::armChannel(reference::playedEnds(), "frame");
-  Link link;
+  FrameLink link;
 };
 
 TEST(Surplus, IsBoundedForTheWholeLink) {

@@ -23,14 +23,14 @@ constexpr unsigned kMostCommands = 4096;
 struct SessionLink {
   SessionLink(LaneSocket socket, LaneThread& thread)
       : number(socket.number),
-        link(std::make_shared<Link>(kj::mv(socket.bytes), number, std::move(socket.share))) {
+        link(std::make_shared<FrameLink>(kj::mv(socket.bytes), number, std::move(socket.share))) {
     net::keepUnsentShort(link->descriptor());
     thread.add(link);
   }
   bool broken() const { return link->broken(); }
 
   const std::uint32_t number;
-  const std::shared_ptr<Link> link;
+  const std::shared_ptr<FrameLink> link;
 };
 
 void describeCommands(const InterfaceInfo& contract, wire::FrameRequest::Builder out) {

@@ -1,8 +1,8 @@
 #pragma once
 // These are the two ends of a connection that travels as frames, whatever carries their bytes.
 
+#include <suture/lane/frame/frame_link.h>
 #include <suture/lane/frame/lane_thread.h>
-#include <suture/lane/frame/link.h>
 #include <suture/lane/frame/provider_side.h>
 #include <suture/lane/lane_kind.h>
 
@@ -16,8 +16,8 @@ namespace suture::frame {
 struct FramedOn {
   const char* lane;  ///< the lane's name
   LaneThread& thread;
-  std::shared_ptr<Link> link;  ///< an empty one lives only as long as it is held
-  std::uint32_t number;        ///< the connection's number on the link
+  std::shared_ptr<FrameLink> link;  ///< an empty one lives only as long as it is held
+  std::uint32_t number;             ///< the connection's number on the link
   Form form = Form::Slots;
 };
 

@@ -38,7 +38,7 @@ void LaneThread::stop() {
   carried_.clear();
 }
 
-void LaneThread::add(std::shared_ptr<Link> link) {
+void LaneThread::add(std::shared_ptr<FrameLink> link) {
   {
     const std::lock_guard lock(mutex_);
     added_.push_back(std::move(link));
@@ -141,7 +141,7 @@ int LaneThread::takeArrivals(int timeout) {
   const int count = epoll_wait(poll_, events, kArrivals, timeout);
   bell_.doorbell().endSleep();
   for (int i = 0; i < count; ++i) {
-    auto* const link = static_cast<Link*>(events[i].data.ptr);
+    auto* const link = static_cast<FrameLink*>(events[i].data.ptr);
     if (link != nullptr && (events[i].events & ~std::uint32_t{EPOLLOUT}) != 0) link->arrived();
   }
   return count;

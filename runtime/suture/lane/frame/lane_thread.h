@@ -2,7 +2,7 @@
 // This is the one thread of a process that carries its frame links.
 
 #include <kj/io.h>
-#include <suture/lane/frame/link.h>
+#include <suture/lane/frame/frame_link.h>
 #include <suture/loop/event_bell.h>
 #include <suture/rt/thread.h>
 
@@ -25,7 +25,7 @@ class LaneThread : private VirtualTime::Sockets {
   LaneThread& operator=(const LaneThread&) = delete;
 
   /// Any thread. Carries the link until it breaks, or is empty and no one else holds it.
-  void add(std::shared_ptr<Link> link);
+  void add(std::shared_ptr<FrameLink> link);
 
   /// The thread that made it. Drops all links, and rings no thread any more.
   void stop();
@@ -36,7 +36,7 @@ class LaneThread : private VirtualTime::Sockets {
 
  private:
   struct Carried {
-    std::shared_ptr<Link> link;
+    std::shared_ptr<FrameLink> link;
     bool full = false;  // the poll waits for room in its socket
   };
 
@@ -55,7 +55,7 @@ class LaneThread : private VirtualTime::Sockets {
   kj::AutoCloseFd poll_;
   std::atomic<bool> stopping_{false}, anyAdded_{false};
   std::mutex mutex_;  // no control loop waits for it, because links are made rarely
-  std::vector<std::shared_ptr<Link>> added_;
+  std::vector<std::shared_ptr<FrameLink>> added_;
   std::vector<Carried> carried_;  // only the thread uses it
   rt::Thread thread_;
 };

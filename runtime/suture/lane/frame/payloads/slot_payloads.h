@@ -4,7 +4,7 @@
 
 #include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/frame/payloads/payloads.h>
-#include <suture/lane/frame/payloads/row_reader.h>
+#include <suture/lane/frame/payloads/row_receiver.h>
 
 #include <vector>
 
@@ -39,7 +39,7 @@ class SlotPayloads final : public Payloads {
   const InterfaceInfo& contract_;
   std::vector<BoundedLevels> levels_;  // by column
   RowSlots row_;                       // the row that is being sent, behind its RowColumns
-  RowReader arriving_;
+  RowReceiver arriving_;
   // These hold a value while its unused parts are left out or put back. They stay empty until there
   // has been such a value.
   std::vector<std::byte> packed_, opened_;

@@ -1,4 +1,4 @@
-#include <suture/lane/frame/link.h>
+#include <suture/lane/frame/frame_link.h>
 
 #include <algorithm>
 #include <utility>
@@ -12,14 +12,14 @@ bool isBefore(const std::shared_ptr<Connection>& connection, std::uint32_t numbe
 
 }  // namespace
 
-void Link::join(std::shared_ptr<Connection> connection) {
+void FrameLink::join(std::shared_ptr<Connection> connection) {
   const std::lock_guard lock(mutex_);
   if (broken_) return connection->breakOff(socket_.why());
   joined_.push_back(std::move(connection));
   anyJoined_ = true;
 }
 
-void Link::takeJoined() {
+void FrameLink::takeJoined() {
   if (!anyJoined_) return;
   const std::lock_guard lock(mutex_);
   for (auto& one : joined_) {
@@ -36,12 +36,12 @@ void Link::takeJoined() {
   anyJoined_ = false;
 }
 
-Connection* Link::find(std::uint32_t number) const {
+Connection* FrameLink::find(std::uint32_t number) const {
   const auto place = std::lower_bound(connections_.begin(), connections_.end(), number, isBefore);
   return place != connections_.end() && (*place)->number() == number ? place->get() : nullptr;
 }
 
-void Link::turn() {
+void FrameLink::turn() {
   receive();
   // What did not fit goes at the next turn, or when the socket tells that it takes more.
   unsent_ = send();
@@ -54,14 +54,14 @@ void Link::turn() {
   });
 }
 
-bool Link::gives() {
+bool FrameLink::gives() {
   unsent_ = send();
   return socket_.isFull();
 }
 
 // A connection joins before its peer sends, so it is here at the latest after a receipt. The number
 // of fills is bounded, so that a peer that sends without end leaves the others their turns.
-void Link::receive() {
+void FrameLink::receive() {
   constexpr int kMostFills = 8;
   int fills = 0;
   bool any = false;
@@ -80,14 +80,14 @@ void Link::receive() {
 }
 
 // Drops what comes for a connection that has ended.
-bool Link::take(const Header& header) {
+bool FrameLink::take(const Header& header) {
   Connection* const connection = find(header.connection);
   return connection == nullptr || connection->over() ||
          connection->arrived(header, socket_.payload());
 }
 
 // Begins with another connection at each turn, so that none can always take all the room.
-bool Link::send() {
+bool FrameLink::send() {
   const std::size_t count = connections_.size();
   if (count == 0) return false;
   if (!socket_.hasRoom()) return true;
@@ -101,7 +101,7 @@ bool Link::send() {
 }
 
 // A connection that joins later finds the link broken.
-void Link::breakAll() {
+void FrameLink::breakAll() {
   const std::lock_guard lock(mutex_);
   broken_.store(true, std::memory_order_release);
   for (const auto* all : {&joined_, &connections_}) {
@@ -109,7 +109,7 @@ void Link::breakAll() {
   }
 }
 
-bool Link::endIfEmpty() {
+bool FrameLink::endIfEmpty() {
   if (!connections_.empty()) return false;
   const std::lock_guard lock(mutex_);
   if (!joined_.empty()) return false;

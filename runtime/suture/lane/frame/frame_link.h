@@ -16,16 +16,16 @@ namespace suture::frame {
 
 /// Belongs to the lane thread, except where a comment says any thread. One send takes all that its
 /// connections have to send, one receipt brings it, and a link that breaks has broken for them all.
-class Link {
+class FrameLink {
  public:
   /// `epoch` is in every frame, and the same at the other end. `share` counts what values take
   /// beyond their contracts; null: the peer was called.
-  Link(net::ByteStream bytes, std::uint32_t epoch,
-       std::unique_ptr<framing::PeerBudget::Share> share = nullptr)
+  FrameLink(net::ByteStream bytes, std::uint32_t epoch,
+            std::unique_ptr<framing::PeerBudget::Share> share = nullptr)
       : socket_(std::move(bytes), epoch), surplus_(std::move(share)) {}
-  ~Link() { end(); }
-  Link(const Link&) = delete;
-  Link& operator=(const Link&) = delete;
+  ~FrameLink() { end(); }
+  FrameLink(const FrameLink&) = delete;
+  FrameLink& operator=(const FrameLink&) = delete;
 
   /// Any thread. The next turn() carries the connection, whose number must be unique. The
   /// provider's side joins before the client's, and sends nothing before it has heard that one.

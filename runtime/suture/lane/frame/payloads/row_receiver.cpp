@@ -1,19 +1,19 @@
 #include <suture/base/words.h>
-#include <suture/lane/frame/payloads/row_reader.h>
+#include <suture/lane/frame/payloads/row_receiver.h>
 
 #include <algorithm>
 #include <cstring>
 
 namespace suture::frame {
 
-RowReader::RowReader(const InterfaceInfo& contract) {
+RowReceiver::RowReceiver(const InterfaceInfo& contract) {
   for (const CommandInfo& one : contract.commands) {
     if (one.column >= 0) columns_.push_back({&one});
   }
   values_.resize(columns_.size());
 }
 
-bool RowReader::begin(std::span<const std::byte> payload) {
+bool RowReceiver::begin(std::span<const std::byte> payload) {
   if (payload.size() < sizeof(row_)) return false;
   std::memcpy(&row_, payload.data(), sizeof(row_));
   std::ranges::fill(values_, rt::StateTable::Value{});
@@ -26,7 +26,7 @@ bool RowReader::begin(std::span<const std::byte> payload) {
 }
 
 // Goes on with the column that arrives; returns true if all have.
-bool RowReader::advance(std::span<const std::byte> payload) {
+bool RowReceiver::advance(std::span<const std::byte> payload) {
   for (; column_ < columns_.size(); ++column_) {
     if (!row_.hasValue(static_cast<unsigned>(column_))) continue;
     if (place_ > payload.size()) return false;
@@ -39,14 +39,14 @@ bool RowReader::advance(std::span<const std::byte> payload) {
   return true;
 }
 
-bool RowReader::takeValue(Column& column, std::span<const std::byte> come) {
+bool RowReceiver::takeValue(Column& column, std::span<const std::byte> come) {
   if (!column.read->resultLevels.empty()) return takeUsed(column, come);
   const std::size_t size = column.read->resultSize;
   come_ = taken_ = std::min(size, come.size());
   return come_ == size;
 }
 
-bool RowReader::takeUsed(Column& column, std::span<const std::byte> come) {
+bool RowReceiver::takeUsed(Column& column, std::span<const std::byte> come) {
   const CommandInfo& read = *column.read;
   if (column.slot == nullptr) column.slot = std::make_unique<std::byte[]>(read.resultSize);
   if (!reader_) reader_.emplace(column.slot.get(), read.resultSize, read.resultLevels);
@@ -58,7 +58,7 @@ bool RowReader::takeUsed(Column& column, std::span<const std::byte> come) {
 }
 
 // A column whose stamps must be shifted is stored when it is complete.
-void RowReader::part(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror) {
+void RowReceiver::part(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror) {
   if (!begun_ && !begin(payload)) return;
   const std::size_t before = column_;
   const bool all = advance(payload);
@@ -74,7 +74,7 @@ void RowReader::part(std::span<std::byte> payload, Duration shift, rt::StateTabl
   }
 }
 
-std::optional<ArrivedRow> RowReader::whole(std::span<std::byte> payload, Duration shift) {
+std::optional<ArrivedRow> RowReceiver::whole(std::span<std::byte> payload, Duration shift) {
   if (!begun_ && !begin(payload)) return std::nullopt;
   begun_ = false;
   if (!advance(payload) || place_ != payload.size()) return std::nullopt;

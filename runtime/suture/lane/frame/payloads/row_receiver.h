@@ -14,9 +14,9 @@ namespace suture::frame {
 
 /// Belongs to the lane thread. Reads a row of slots: its RowColumns, then what is used of each
 /// value, up to whole words.
-class RowReader {
+class RowReceiver {
  public:
-  explicit RowReader(const InterfaceInfo& contract);
+  explicit RowReceiver(const InterfaceInfo& contract);
 
   /// Takes the part that has come of a row, and stores what it can in `mirror` already.
   void part(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror);

@@ -1,8 +1,8 @@
 // Several connections share one socket.
 #include <gtest/gtest.h>
 #include <suture/lane/frame/frame_end.h>
+#include <suture/lane/frame/frame_link.h>
 #include <suture/lane/frame/lane_thread.h>
-#include <suture/lane/frame/link.h>
 
 #include <sys/socket.h>
 #include <sys/syscall.h>
@@ -250,8 +250,8 @@ TEST_F(LinkTest, NoConnectionTakesAllTheRoom) {
 // There is more than a link sends at once, and nothing else would wake its thread.
 TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
   auto sockets = makeSocketPair();
-  const auto near = std::make_shared<Link>(net::ByteStream(kj::mv(sockets.ours)), 1);
-  const auto far = std::make_shared<Link>(net::ByteStream(kj::mv(sockets.theirs)), 1);
+  const auto near = std::make_shared<FrameLink>(net::ByteStream(kj::mv(sockets.ours)), 1);
+  const auto far = std::make_shared<FrameLink>(net::ByteStream(kj::mv(sockets.theirs)), 1);
   std::vector<std::unique_ptr<Pair>> pairs;
   for (std::uint32_t i = 0; i < 64; ++i) {
     pairs.push_back(std::make_unique<Pair>(i));
@@ -282,7 +282,7 @@ TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
 TEST(LaneThread, BreaksALinkThatItCannotWatch) {
   std::thread([] {  // what is refused to it, is to the thread that it starts
     auto sockets = makeSocketPair();
-    const auto link = std::make_shared<Link>(net::ByteStream(kj::mv(sockets.ours)), 1);
+    const auto link = std::make_shared<FrameLink>(net::ByteStream(kj::mv(sockets.ours)), 1);
     Pair pair(1);
     link->join(pair.client);
     LaneThread lane;
@@ -301,7 +301,7 @@ TEST(LaneThread, StopsWheneverItIsTold) {
   for (int lap = 0; lap < 3000; ++lap) {
     auto sockets = makeSocketPair();
     LaneThread lane;
-    lane.add(std::make_shared<Link>(net::ByteStream(kj::mv(sockets.ours)), 1));
+    lane.add(std::make_shared<FrameLink>(net::ByteStream(kj::mv(sockets.ours)), 1));
     const Time end = now() + std::chrono::microseconds(30 + lap % 50);
     while (now() < end) lane.doorbell()->ring();
   }
@@ -309,7 +309,7 @@ TEST(LaneThread, StopsWheneverItIsTold) {
 
 // Acknowledgements, and frames of no connection, count in no window: the other links have their
 // turns all the same.
-TEST(Link, AnEndlessPeerGetsItsTurnOnly) {
+TEST(FrameLink, AnEndlessPeerGetsItsTurnOnly) {
   auto sockets = makeSocketPair();
   const int room = 8 << 20;
   if (setsockopt(sockets.theirs, SOL_SOCKET, SO_SNDBUFFORCE, &room, sizeof(room)) != 0) {
@@ -324,7 +324,7 @@ TEST(Link, AnEndlessPeerGetsItsTurnOnly) {
     sendAll(sockets.theirs, writer.unsent());
     writer.sent(writer.unsent().size());
   }
-  Link link(net::ByteStream(kj::mv(sockets.ours)), 1);
+  FrameLink link(net::ByteStream(kj::mv(sockets.ours)), 1);
   link.arrived();
   link.turn();
   EXPECT_TRUE(link.hasMore());
@@ -337,7 +337,7 @@ TEST(Link, AnEndlessPeerGetsItsTurnOnly) {
 TEST(LaneThread, DropsAnEmptyLinkWithoutAnOwner) {
   const TestClock clock(steppedOptions());
   auto pair = makeSocketPair();
-  Link far(net::ByteStream(kj::mv(pair.theirs)), 1);
+  FrameLink far(net::ByteStream(kj::mv(pair.theirs)), 1);
   Pair first(1), second(2);
   for (Pair* const one : {&first, &second}) far.join(one->provider);
   const auto isHeard = [&far](Pair& one) {
@@ -348,8 +348,8 @@ TEST(LaneThread, DropsAnEmptyLinkWithoutAnOwner) {
     });
   };
   LaneThread lane;
-  auto link = std::make_shared<Link>(net::ByteStream(kj::mv(pair.ours)), 1);
-  const std::weak_ptr<Link> seen = link;
+  auto link = std::make_shared<FrameLink>(net::ByteStream(kj::mv(pair.ours)), 1);
+  const std::weak_ptr<FrameLink> seen = link;
   link->join(first.client);
   lane.add(link);
   EXPECT_TRUE(isHeard(first));
