@@ -85,8 +85,9 @@ MessageStream::Reading MessageStream::waitAndRead() {
   auto readable = kj::mv(KJ_ASSERT_NONNULL(readable_));
   readable_ = nullptr;
   KJ_IF_MAYBE (deadline, readDeadline()) {
-    readable = readable.exclusiveJoin(port_.getTimer().atTime(*deadline).then(
-        [this] { refuse(incoming_.bytes().empty() ? kSentNothing : kFinishedNothing); }));
+    readable = loop::unlessLate(port_.getTimer(), *deadline, kj::mv(readable), [this] {
+      refuse(incoming_.bytes().empty() ? kSentNothing : kFinishedNothing);
+    });
   }
   return readable.then([this] { return readBuffered(); });
 }

@@ -12,10 +12,17 @@ namespace suture::loop {
 
 inline kj::Duration toKj(Duration duration) { return duration.count() * kj::NANOSECONDS; }
 
-/// Ends as `promise` does, or after `limit` as what `late()` returns.
+/// Ends as `promise` does, or at `deadline` as what `late()` returns.
+template <class T, class Late>
+kj::Promise<T> unlessLate(kj::Timer& timer, kj::TimePoint deadline, kj::Promise<T> promise,
+                          Late late) {
+  return promise.exclusiveJoin(timer.atTime(deadline).then(std::move(late)));
+}
+
+/// Does so after `limit`.
 template <class T, class Late>
 kj::Promise<T> unlessLate(kj::Timer& timer, Duration limit, kj::Promise<T> promise, Late late) {
-  return promise.exclusiveJoin(timer.afterDelay(toKj(limit)).then(std::move(late)));
+  return unlessLate(timer, timer.now() + toKj(limit), kj::mv(promise), std::move(late));
 }
 
 /// Ends as `promise` does, or rejects after `limit` with `text` (as OVERLOADED, like KJ's own

@@ -1,3 +1,4 @@
+#include <suture/loop/deadline.h>
 #include <suture/loop/failure.h>
 #include <suture/names/manager_session.h>
 
@@ -8,7 +9,7 @@ namespace {
 
 using Kind = wire::Refusal::Kind;
 
-constexpr std::uint32_t kLongestWaitMilliseconds = 60'000;
+constexpr Duration kLongestWait = std::chrono::minutes(1);
 
 /// Knows who asks at a link, reports what that peer is refused, and counts what the registry holds
 /// for it.
@@ -210,8 +211,9 @@ kj::Promise<void> NameService::whenKnown(const std::string& name, std::uint32_t 
   if (waitMilliseconds == 0 || registry_.find(name) != nullptr) return kj::READY_NOW;
   auto pair = kj::newPromiseAndFulfiller<void>();
   waiting_.add(Waiting{name, link, kj::mv(pair.fulfiller)});
-  const auto wait = std::min(waitMilliseconds, kLongestWaitMilliseconds) * kj::MILLISECONDS;
-  return pair.promise.exclusiveJoin(timer_.afterDelay(wait));
+  const Duration wait =
+      std::min<Duration>(std::chrono::milliseconds(waitMilliseconds), kLongestWait);
+  return loop::unlessLate(timer_, wait, kj::mv(pair.promise), [] {});
 }
 
 wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names, net::Refusals& refusals,
