@@ -76,8 +76,12 @@ void Connections::connect(RequiredBase& required, const Endpoint& from,
     throw SetupError("connecting " + connection, "this process has no global manager",
                      "Give the manager's address when constructing suture::Manager");
   }
-  network_->connect(required, from, to, options, threads_.delaysFor(options.delay),
-                    watchOf(options.contract, required));
+  network_->connect({.required = required,
+                     .from = from,
+                     .to = to,
+                     .options = options,
+                     .delays = threads_.delaysFor(options.delay),
+                     .watch = watchOf(options.contract, required)});
 }
 
 void Connections::requireFree(const Endpoint& required, const std::string& connection) const {

@@ -116,13 +116,14 @@ void Network::publish() {
   });
 }
 
-void Network::connect(RequiredBase& required, Endpoint from, Endpoint to, ConnectOptions options,
-                      DelayThread* delays, std::shared_ptr<ConnectionWatch> watch) {
-  const std::string name = from.toString();
-  options.patience = std::min(options.patience, kLongestPatience);
-  if (from.process.empty()) from.process = directory_.process();
-  if (to.process.empty()) to.process = directory_.process();
-  run(control_, options.patience + kLocalWork, [=, this, &required] {
+void Network::connect(PlannedConnection planned) {
+  const std::string name = planned.from.toString();
+  const Duration patience = std::min(planned.options.patience, kLongestPatience);
+  planned.options.patience = patience;
+  for (Endpoint* const end : {&planned.from, &planned.to}) {
+    if (end->process.empty()) end->process = directory_.process();
+  }
+  run(control_, patience + kLocalWork, [this, name, planned, patience] {
     const RemoteConnection::Listener listener{
         .made =
             [this, name](std::shared_ptr<Channel> channel) {
@@ -146,9 +147,8 @@ void Network::connect(RequiredBase& required, Endpoint from, Endpoint to, Connec
                                   " cannot travel by lane '" + lane + "': " + plain(why));
             }};
     connections_[name] = std::make_unique<RemoteConnection>(
-        control_, *sessions_, lanes_, required, from, to, options, listener, delays, watch,
-        ledgerOf(connectionName(from, to)));
-    return open(name, to, options.patience);
+        *sessions_, planned, listener, ledgerOf(connectionName(planned.from, planned.to)));
+    return open(name, planned.to, patience);
   });
 }
 

@@ -3,7 +3,6 @@
 // its name at the global manager, and its connections.
 
 #include <kj/async.h>
-#include <suture/component/required.h>
 #include <suture/lane/lanes.h>
 #include <suture/loop/control_thread.h>
 #include <suture/loop/milestone.h>
@@ -11,9 +10,9 @@
 #include <suture/net/address.h>
 #include <suture/net/refusals.h>
 #include <suture/rt/scheduling.h>
-#include <suture/session/connect_options.h>
 #include <suture/session/connection_news.h>
 #include <suture/session/ledgers.h>
+#include <suture/session/planned_connection.h>
 #include <suture/session/service_threads.h>
 #include <suture/wiring/directory.h>
 
@@ -25,7 +24,6 @@
 
 namespace suture {
 
-class DelayThread;
 class ManagerLink;
 class PeerHost;
 class RemoteConnection;
@@ -59,10 +57,8 @@ class Network {
   /// Announces the components that are in the directory, and lets peers connect to them.
   void publish();
 
-  /// Connects by way of the control link, also to this process itself. `delays` delays it;
-  /// nullptr: nothing does. Throws SetupError.
-  void connect(RequiredBase& required, Endpoint from, Endpoint to, ConnectOptions options,
-               DelayThread* delays, std::shared_ptr<ConnectionWatch> watch);
+  /// Connects by way of the control link, also to this process itself. Throws SetupError.
+  void connect(PlannedConnection planned);
   /// Any thread. Makes a connect() under way throw now, and later ones too.
   void giveUp();
   /// Takes down a connection made by connect(); after that the required interface is not attached

@@ -43,24 +43,14 @@ std::string microseconds(Duration duration) {
 
 }  // namespace
 
-RemoteConnection::RemoteConnection(loop::ControlThread& control, Sessions& sessions,
-                                   const Lanes& lanes, RequiredBase& required, Endpoint from,
-                                   Endpoint to, const ConnectOptions& options, Listener listener,
-                                   DelayThread* delays, std::shared_ptr<ConnectionWatch> watch,
+RemoteConnection::RemoteConnection(Sessions& sessions, PlannedConnection planned, Listener listener,
                                    std::shared_ptr<Ledger> ledger)
-    : control_(control),
-      sessions_(sessions),
-      lanes_(lanes),
-      required_(required),
-      from_(std::move(from)),
-      to_(std::move(to)),
-      options_(options),
+    : sessions_(sessions),
+      planned_(std::move(planned)),
       listener_(std::move(listener)),
-      delays_(delays),
-      watch_(std::move(watch)),
       ledger_(std::move(ledger)),
-      longestSilence_(watch_ == nullptr ? ConnectionContract::kDefaultSilence
-                                        : watch_->contract.longestSilence()),
+      longestSilence_(planned_.watch == nullptr ? ConnectionContract::kDefaultSilence
+                                                : planned_.watch->contract.longestSilence()),
       firstLane_(firstLane()) {}
 
 RemoteConnection::~RemoteConnection() noexcept(false) {
@@ -69,7 +59,9 @@ RemoteConnection::~RemoteConnection() noexcept(false) {
 }
 
 kj::Promise<void> RemoteConnection::open() {
-  return connect(options_.patience, options_.patience + kDialLimit).then([this] { keep(); });
+  return connect(planned_.options.patience, planned_.options.patience + kDialLimit).then([this] {
+    keep();
+  });
 }
 
 void RemoteConnection::letGo() {
@@ -84,7 +76,7 @@ void RemoteConnection::end() {
 
 kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
   limit_ = limit;
-  auto connected = sessions_.open(to_.process, patience, limit)
+  auto connected = sessions_.open(planned_.to.process, patience, limit)
                        .then([this](std::shared_ptr<PeerSession> session) {
                          session_ = std::move(session);
                          return introduce();
@@ -95,14 +87,15 @@ kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
 
 template <class T>
 kj::Promise<T> RemoteConnection::inTime(Duration limit, kj::Promise<T> answer) {
-  return loop::within(control_.timer(), limit, kj::mv(answer), noAnswerOf(to_.process));
+  return loop::within(sessions_.control().timer(), limit, kj::mv(answer),
+                      noAnswerOf(planned_.to.process));
 }
 
 // Does not connect to a provider that hangs, because the connection would be lost at once.
 kj::Promise<void> RemoteConnection::introduce() {
   auto lost = kj::newPromiseAndFulfiller<void>();
   auto watch =
-      session_->watch(to_.component, {.silence = Heartbeat::kEver, .hang = longestSilence_},
+      session_->watch(planned_.to.component, {.silence = Heartbeat::kEver, .hang = longestSilence_},
                       [this, out = kj::mv(lost.fulfiller)](const std::string& why) mutable {
                         out->reject(whyNotIntroduced(why));
                       });
@@ -126,7 +119,7 @@ kj::Exception RemoteConnection::whyNotIntroduced(const std::string& why) const {
 // Within the clocks' error a ttl means nothing: late commands would run, or timely ones be late.
 kj::Promise<void> RemoteConnection::requireClocksThatCanTell() {
   const Duration error = session_->clock().error(now());
-  for (const CommandInfo& one : required_.info().commands) {
+  for (const CommandInfo& one : planned_.required.info().commands) {
     if (one.ttl == Duration{0} || one.ttl > error) continue;
     return loop::failure(Type::FAILED,
                          "connecting " + name() + ": '" + one.name + "' has a ttl of " +
@@ -137,9 +130,12 @@ kj::Promise<void> RemoteConnection::requireClocksThatCanTell() {
 }
 
 OutgoingConnection RemoteConnection::outgoing() const {
-  Component& client = delays_ == nullptr ? required_.owner() : *delays_;
-  return {.contract = required_.info(),
-          .terms = {.name = name(), .watch = watch_, .ledger = ledger_, .laneReason = laneReason_},
+  Component& client = planned_.delays == nullptr ? planned_.required.owner() : *planned_.delays;
+  return {.contract = planned_.required.info(),
+          .terms = {.name = name(),
+                    .watch = planned_.watch,
+                    .ledger = ledger_,
+                    .laneReason = laneReason_},
           .events = asked_,
           .client = client.sharedDoorbell(),
           .peer = session_->state(),
@@ -147,14 +143,15 @@ OutgoingConnection RemoteConnection::outgoing() const {
 }
 
 std::size_t RemoteConnection::firstLane() const {
-  if (options_.lane == Lane::Auto) return 0;
-  const auto asked = findLane(lanes_, options_.lane.name);
-  if (asked != lanes_.end()) return static_cast<std::size_t>(asked - lanes_.begin());
-  throw laneUnknown(name(), options_.lane, laneNames(lanes_));
+  if (planned_.options.lane == Lane::Auto) return 0;
+  const auto asked = findLane(sessions_.lanes(), planned_.options.lane.name);
+  if (asked != sessions_.lanes().end())
+    return static_cast<std::size_t>(asked - sessions_.lanes().begin());
+  throw laneUnknown(name(), planned_.options.lane, laneNames(sessions_.lanes()));
 }
 
 kj::Promise<void> RemoteConnection::ask(std::size_t lane) {
-  return attempt(session_->lane(lane), lanes_[lane]->name())
+  return attempt(session_->lane(lane), sessions_.lanes()[lane]->name())
       .then([this, lane](kj::Maybe<std::string>&& why) -> kj::Promise<void> {
         KJ_IF_MAYBE (reason, why) {
           laneReason_ = std::move(*reason);
@@ -165,9 +162,10 @@ kj::Promise<void> RemoteConnection::ask(std::size_t lane) {
 }
 
 kj::Promise<void> RemoteConnection::askNext(std::size_t lane) {
-  if (!options_.laneRequired && lane < lanes_.size()) return ask(lane);
-  if (options_.laneRequired) {
-    return loop::failure(Type::FAILED, laneRefused(name(), options_.lane, laneReason_).what());
+  if (!planned_.options.laneRequired && lane < sessions_.lanes().size()) return ask(lane);
+  if (planned_.options.laneRequired) {
+    return loop::failure(Type::FAILED,
+                         laneRefused(name(), planned_.options.lane, laneReason_).what());
   }
   return loop::failure(Type::FAILED, "connecting " + name() +
                                          ": no lane can carry it. The last says: " + laneReason_ +
@@ -176,7 +174,7 @@ kj::Promise<void> RemoteConnection::askNext(std::size_t lane) {
 
 kj::Promise<kj::Maybe<std::string>> RemoteConnection::attempt(LaneClient& lane, const char* name) {
   using Reason = kj::Maybe<std::string>;
-  asked_ = required_.subscribed();
+  asked_ = planned_.required.subscribed();
   if (std::string why = lane.whyNot(outgoing()); !why.empty()) return Reason(std::move(why));
   return lane.attempt(outgoing())
       .then(
@@ -201,16 +199,16 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::request(LaneAttempt& attem
 }
 
 void RemoteConnection::fillIn(wire::ConnectRequest::Builder request, const char* lane) {
-  request.setFromProcess(codec::textOf(from_.process));
-  request.setFromComponent(codec::textOf(from_.component));
-  request.setRequired(codec::textOf(from_.interface));
-  request.setToComponent(codec::textOf(to_.component));
-  request.setProvided(codec::textOf(to_.interface));
-  request.setContract(required_.info().name);
-  request.setHash(required_.info().hash);
-  request.setDescription(required_.info().description);
-  toWire(required_.frames(), request.initFrames());
-  request.setEvents(toWireNumbers(required_.info().wireEvents, asked_));
+  request.setFromProcess(codec::textOf(planned_.from.process));
+  request.setFromComponent(codec::textOf(planned_.from.component));
+  request.setRequired(codec::textOf(planned_.from.interface));
+  request.setToComponent(codec::textOf(planned_.to.component));
+  request.setProvided(codec::textOf(planned_.to.interface));
+  request.setContract(planned_.required.info().name);
+  request.setHash(planned_.required.info().hash);
+  request.setDescription(planned_.required.info().description);
+  toWire(planned_.required.frames(), request.initFrames());
+  request.setEvents(toWireNumbers(planned_.required.info().wireEvents, asked_));
   request.setEpoch(toNanoseconds(now()));
   request.setSilence(longestSilence_.count());
   request.setLane(lane);
@@ -261,19 +259,21 @@ void RemoteConnection::use(OpenedEnd opened, wire::ConnectResults::Accepted::Rea
   std::shared_ptr<Channel> channel = std::move(opened.channel);
   KJ_ASSERT_NONNULL(news_)->passOnTo(kj::addRef(*opened.end));
   end_ = kj::mv(opened.end);
-  if (delays_ != nullptr) {
-    channel = delays_->interpose(required_, std::move(channel), options_.delay);
+  if (planned_.delays != nullptr) {
+    channel =
+        planned_.delays->interpose(planned_.required, std::move(channel), planned_.options.delay);
   }
   ledger_->begin(channel, session_->peersIncarnation(), codec::fromWire(accepted.getEarlier()));
   listener_.made(channel);  // known before it is used
-  required_.attach(std::move(channel));
+  planned_.required.attach(std::move(channel));
 }
 
 // A peer that is stopped, or behind a cable that was pulled, sends nothing, so it is asked.
 void RemoteConnection::keep() {
   session_->bear(longestSilence_);
-  watching_ = session_->watch(to_.component, {.silence = longestSilence_, .hang = longestSilence_},
-                              [this](std::string why) { lose(std::move(why)); });
+  watching_ =
+      session_->watch(planned_.to.component, {.silence = longestSilence_, .hang = longestSilence_},
+                      [this](std::string why) { lose(std::move(why)); });
   KJ_ASSERT_NONNULL(end_)->onBroken([this](std::string why) { lose(std::move(why)); });
 }
 
@@ -309,7 +309,8 @@ void RemoteConnection::tellWhyNotBack(const kj::Exception& failure) {
 }
 
 kj::Promise<void> RemoteConnection::comeBack(Time next, Duration pause, Duration limit) {
-  return control_.timer()
+  return sessions_.control()
+      .timer()
       .afterDelay(loop::toKj(std::max(next - now(), Duration{0})))
       .then([this, limit] { return connect(kComeBackPatience, limit); })
       .catch_([=, this](kj::Exception&& failure) {

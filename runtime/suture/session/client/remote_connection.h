@@ -2,12 +2,10 @@
 // This connects one required interface of this process to a provided one of another.
 
 #include <suture/component/channel/counts/ledger.h>
-#include <suture/component/required.h>
 #include <suture/peer.capnp.h>
 #include <suture/session/client/notices_receiver.h>
 #include <suture/session/client/sessions.h>
-#include <suture/session/connect_options.h>
-#include <suture/wiring/endpoint.h>
+#include <suture/session/planned_connection.h>
 
 #include <functional>
 #include <map>
@@ -15,8 +13,6 @@
 #include <string>
 
 namespace suture {
-
-class DelayThread;
 
 /// Belongs to the control thread; outlives its promises. It is an entry in the session with the
 /// provider's process. When the session ends, or only this is lost, the required interface is Lost
@@ -38,11 +34,9 @@ class RemoteConnection {
         failed;
   };
 
-  /// `from` and `to` include their processes. `ledger` has the sums of the connection's name.
-  RemoteConnection(loop::ControlThread& control, Sessions& sessions, const Lanes& lanes,
-                   RequiredBase& required, Endpoint from, Endpoint to,
-                   const ConnectOptions& options, Listener listener, DelayThread* delays,
-                   std::shared_ptr<ConnectionWatch> watch, std::shared_ptr<Ledger> ledger);
+  /// Both ends of `planned` name their processes. `ledger` has the sums of the connection's name.
+  RemoteConnection(Sessions& sessions, PlannedConnection planned, Listener listener,
+                   std::shared_ptr<Ledger> ledger);
   ~RemoteConnection() noexcept(false);
 
   /// Connects, and waits for the other process and its component as long as its options say.
@@ -78,7 +72,7 @@ class RemoteConnection {
   std::string failed(const char* lane, std::string why);
   void use(OpenedEnd opened, wire::ConnectResults::Accepted::Reader accepted);
   OutgoingConnection outgoing() const;
-  std::string name() const { return connectionName(from_, to_); }
+  std::string name() const { return connectionName(planned_.from, planned_.to); }
   void keep();
   void letGo();
   void lose(std::string why);
@@ -88,15 +82,9 @@ class RemoteConnection {
   void tellWhyNotBack(const kj::Exception& failure);
   bool comesBack() const { return comingBack_ != nullptr; }
 
-  loop::ControlThread& control_;
   Sessions& sessions_;
-  const Lanes& lanes_;
-  RequiredBase& required_;
-  const Endpoint from_, to_;
-  const ConnectOptions options_;
+  const PlannedConnection planned_;
   const Listener listener_;
-  DelayThread* const delays_;                     // nullptr: it has no delay
-  const std::shared_ptr<ConnectionWatch> watch_;  // it outlives each channel
   const std::shared_ptr<Ledger> ledger_;
   const Duration longestSilence_;
   const std::size_t firstLane_;

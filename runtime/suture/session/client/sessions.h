@@ -24,6 +24,9 @@ class Sessions {
   kj::Promise<std::shared_ptr<PeerSession>> open(const std::string& process, Duration patience,
                                                  Duration limit);
 
+  loop::ControlThread& control() { return control_; }
+  /// Returns what a session may carry a connection by, the fastest first.
+  const Lanes& lanes() const { return lanes_; }
   /// Returns true if there is one, or one is being opened, be it that nobody waits for it any more.
   bool any() const;
 
