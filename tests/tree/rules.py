@@ -14,7 +14,7 @@ RUNTIME = ["base", "base/slots", "rt", "rt/queue", "rt/state", "component/contra
            "lane/carrier", "lane/fault", "lane/delay", "lane/rpc", "lane/shm", "lane/frame/bytes", "lane/frame/payloads", "lane/frame", "names", "session", "session/client",
            "session/provider/limits", "session/provider/shared", "session/provider/connections", "session/provider", "standard", "manager", "observe", "record", "testing", "deploy/document", "deploy/process", "deploy"]
 CLI = ["values", "command_line", "contract", "peer", "text", "."]
-COMPILER = {"frontend": ["ast", "report", "types", "."], "lock": ["schema", "moves", "."], "emit": ["text", "wire", "cpp", "docs", "."]}
+COMPILER = {"frontend": ["ast", "report", "types", "data", "."], "lock": ["schema", "moves", "."], "emit": ["text", "wire", "cpp", "docs", "."]}
 # A folder of runtime/suture/ that has a namespace of its own shares it with the folders below; what lies in no such folder is in suture itself.
 NAMESPACES = {"rt": "rt", "loop": "loop", "net": "net", "net/tls": "tls", "framing": "framing", "codec": "codec", "lane/rpc": "rpc",
               "lane/shm": "shm", "lane/frame": "frame"}

@@ -1,5 +1,5 @@
 #pragma once
-// This maps SUTURE_TYPE and SUTURE_EXTERNAL_TYPE: structs and enums.
+// This maps an enum that is annotated, or that SUTURE_EXTERNAL_TYPE names.
 
 #include "compiler/frontend/types/data_declaration.h"
 #include "compiler/frontend/types/mapping.h"
@@ -7,6 +7,5 @@
 namespace suture::compiler::frontend {
 
 model::Enum mapEnumDeclaration(const EnumDeclaration& declared, Mapping& mapping);
-model::Struct mapStructDeclaration(const DataDeclaration& declared, Mapping& mapping);
 
 }  // namespace suture::compiler::frontend

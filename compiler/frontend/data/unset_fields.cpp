@@ -1,4 +1,4 @@
-#include "compiler/frontend/unset_fields.h"
+#include "compiler/frontend/data/unset_fields.h"
 
 #include <clang/AST/DeclTemplate.h>
 #include <clang/Lex/Lexer.h>

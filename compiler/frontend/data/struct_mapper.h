@@ -1,0 +1,11 @@
+#pragma once
+// This maps a struct that is annotated, or that SUTURE_EXTERNAL_TYPE names.
+
+#include "compiler/frontend/types/data_declaration.h"
+#include "compiler/frontend/types/mapping.h"
+
+namespace suture::compiler::frontend {
+
+model::Struct mapStructDeclaration(const DataDeclaration& declared, Mapping& mapping);
+
+}  // namespace suture::compiler::frontend
