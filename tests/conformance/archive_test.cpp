@@ -223,7 +223,7 @@ TEST(Archive, CannotBeDelayed) {
   EXPECT_EQ(suture::refusal([&] {
               manager.connect("Reader/Archive", "Store/Archive", {.delay = {.commands = 1ms}});
             }),
-            "a delay on a connection of shapes::Archive: the contract has a type without bounds. "
+            "a delay on a connection of shapes::Archive: command 'put' has values without a bound. "
             "Give it a capacity()");
 }
 
@@ -236,7 +236,8 @@ TEST(Archive, IsNothingForATask) {
     Task task;
     FAIL() << "a task requires a contract without bounds";
   } catch (const suture::SetupError& error) {
-    EXPECT_NE(std::string(error.what()).find("'put' carries what has no bound"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("command 'put' has values without a bound"),
+              std::string::npos)
         << error.what();
   }
 }

@@ -1,3 +1,4 @@
+#include <suture/component/contract/unbounded.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <nlohmann/json.hpp>
@@ -58,19 +59,6 @@ std::string memoryLayout(const InterfaceInfo& info) {
     layout.push_back({one.payloadSize, one.depth, one.latest, placesOf(one.payloadLevels)});
   }
   return digest(layout.dump());
-}
-
-std::string whyUnbounded(const InterfaceInfo& info) {
-  for (const CommandInfo& one : info.commands) {
-    if (one.sharedArguments || one.sharedResult) {
-      return std::string("command '") + one.name + "' has values without a bound";
-    }
-  }
-  for (const EventInfo& one : info.events) {
-    if (one.sharedPayload)
-      return std::string("event '") + one.name + "' has a payload without a bound";
-  }
-  return "";
 }
 
 bool hidesStamps(const InterfaceInfo& info) {

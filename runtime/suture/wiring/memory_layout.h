@@ -12,10 +12,6 @@ namespace suture {
 /// is equal for two builds of a contract whose records, columns and queues lie in memory alike.
 std::string memoryLayout(const InterfaceInfo& info);
 
-/// Returns which values of this contract have no bound, and so no slot of a fixed size; "" if all
-/// have one.
-std::string whyUnbounded(const InterfaceInfo& info);
-
 /// Returns true if values of this contract contain, or may contain, points in time of a steady
 /// clock, which mean something else on another machine, and its tables do not say where.
 bool hidesStamps(const InterfaceInfo& info);

@@ -1,7 +1,7 @@
 #include "conformance/pipe/pipe_lane.h"
 
 #include <fcntl.h>
-#include <suture/wiring/memory_layout.h>
+#include <suture/component/contract/unbounded.h>
 #include <sys/socket.h>
 #include <unistd.h>
 

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <suture/component/contract/unbounded.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <string>
@@ -58,7 +59,7 @@ TEST(MemoryLayout, ChangesWithTheLevelsOfAValue) {
   EXPECT_NE(memoryLayout(info), layout);
 }
 
-TEST(MemoryLayout, AnUnboundedValueIsNamed) {
+TEST(Unbounded, ACommandWithoutABoundIsNamed) {
   InterfaceInfo info = infoWith(kDescription);
   EXPECT_EQ(whyUnbounded(info), "");
   std::vector<CommandInfo> commands(info.commands.begin(), info.commands.end());

@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/component/contract/unbounded.h>
 #include <suture/lane/delay/delay_thread.h>
 
 #include <algorithm>
@@ -16,14 +17,10 @@ DelayThread::~DelayThread() {
 }
 
 void DelayThread::requireBounded(const InterfaceInfo& contract) {
-  const bool any =
-      std::any_of(contract.commands.begin(), contract.commands.end(),
-                  [](const CommandInfo& one) { return one.sharedArguments || one.sharedResult; }) ||
-      std::any_of(contract.events.begin(), contract.events.end(),
-                  [](const EventInfo& one) { return one.sharedPayload; });
-  if (!any) return;
-  throw SetupError(std::string("a delay on a connection of ") + contract.name,
-                   "the contract has a type without bounds", "Give it a capacity()");
+  const std::string why = whyUnbounded(contract);
+  if (why.empty()) return;
+  throw SetupError(std::string("a delay on a connection of ") + contract.name, why,
+                   "Give it a capacity()");
 }
 
 std::shared_ptr<Channel> DelayThread::interpose(const RequiredBase& required,

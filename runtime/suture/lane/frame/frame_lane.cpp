@@ -1,6 +1,7 @@
 #include <suture/base/errors.h>
 #include <suture/codec/codec.h>
 #include <suture/codec/text.h>
+#include <suture/component/contract/unbounded.h>
 #include <suture/frame.capnp.h>
 #include <suture/lane/frame/frame_lane.h>
 #include <suture/lane/frame/framed_connection.h>

@@ -1,9 +1,9 @@
+#include <suture/component/contract/unbounded.h>
 #include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/mirrored_channel.h>
 #include <suture/lane/rpc/calls_client.h>
 #include <suture/lane/rpc/counts_receiver.h>
 #include <suture/lane/rpc/proxy_port.h>
-#include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,6 @@
 #include <suture/base/errors.h>
 #include <suture/codec/text.h>
+#include <suture/component/contract/unbounded.h>
 #include <suture/lane/shm/shared_channel.h>
 #include <suture/lane/shm/shared_lane.h>
 #include <suture/lane/shm/shared_memory.h>

@@ -1,0 +1,13 @@
+#pragma once
+// This says if a contract has values without a bound, which have no slot of a fixed size.
+
+#include <suture/component/contract/interface_info.h>
+
+#include <string>
+
+namespace suture {
+
+/// Returns which values of this contract have no bound; "" if all have one.
+std::string whyUnbounded(const InterfaceInfo& info);
+
+}  // namespace suture
