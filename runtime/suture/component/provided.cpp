@@ -5,7 +5,7 @@ namespace suture {
 
 ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const InterfaceInfo& info,
                            void* implementation)
-    : CommandRunner(clients_), implementation_(implementation), clients_(owner, name, info) {
+    : implementation_(implementation), clients_(owner, name, info) {
   refuseUnbounded(info, owner.ownsThread());
   owner.provided_.push_back(this);
 }

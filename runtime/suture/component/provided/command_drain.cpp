@@ -153,7 +153,8 @@ void CommandDrain::run(ChannelList::Node& node, const rt::CommandRecord& record)
   } else {
     const ResultForm form{command.resultSize, command.sharedResult, record.command};
     channel.provider.reply(record.call, form, [&](std::byte* result) {
-      const Errc error = runner_.produce(record.command, record.arguments(), result, &channel);
+      const Errc error =
+          produce(runner_, clients_, record.command, record.arguments(), result, &channel);
       execution.outcome = &channel.commands.counters.executed;
       execution.release();
       return error;

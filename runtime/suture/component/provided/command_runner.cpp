@@ -4,13 +4,12 @@
 
 namespace suture {
 
-Errc CommandRunner::produce(std::uint16_t command, const std::byte* arguments, std::byte* result,
-                            Channel* asker) {
-  const Errc error = execute(command, arguments, result);
+Errc produce(CommandRunner& runner, InterfaceClients& clients, std::uint16_t command,
+             const std::byte* arguments, std::byte* result, Channel* asker) {
+  const Errc error = runner.execute(command, arguments, result);
   FieldPath path;
-  if (error != Errc{} || clients_.info().commands[command].admitsResult(result, &path))
-    return error;
-  clients_.noteInvalid(path, asker);
+  if (error != Errc{} || clients.info().commands[command].admitsResult(result, &path)) return error;
+  clients.noteInvalid(path, asker);
   return Errc::Invalid;
 }
 

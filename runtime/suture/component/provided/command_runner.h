@@ -15,23 +15,21 @@ class InterfaceClients;
 /// interface.
 class CommandRunner {
  public:
-  explicit CommandRunner(InterfaceClients& clients) : clients_(clients) {}
+  CommandRunner() = default;
   CommandRunner(const CommandRunner&) = delete;
   CommandRunner& operator=(const CommandRunner&) = delete;
 
   /// Runs command `command` on its arguments' slot, and fills `result` if the command has one.
   /// suturec writes it. Returns 0 or Errc::TooLarge.
   virtual Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) = 0;
-  /// Executes, and answers Errc::Invalid for a result that the contract does not admit. `asker` is
-  /// the client that does not get it; null means all clients.
-  Errc produce(std::uint16_t command, const std::byte* arguments, std::byte* result,
-               Channel* asker);
 
  protected:
   ~CommandRunner() = default;
-
- private:
-  InterfaceClients& clients_;
 };
+
+/// Executes a command of `clients`, and answers Errc::Invalid for a result that the contract does
+/// not admit. `asker` is the client that does not get it; null means all clients.
+Errc produce(CommandRunner& runner, InterfaceClients& clients, std::uint16_t command,
+             const std::byte* arguments, std::byte* result, Channel* asker);
 
 }  // namespace suture

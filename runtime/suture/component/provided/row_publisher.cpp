@@ -49,7 +49,7 @@ void RowPublisher::publish() {
     const int column = commands[i].column;
     if (column < 0 || (wanted >> column & 1) == 0) continue;
     const auto number = static_cast<unsigned>(column);
-    columns.enter(number, runner_.produce(i, nullptr, table.draft(number), nullptr));
+    columns.enter(number, produce(runner_, clients_, i, nullptr, table.draft(number), nullptr));
   }
   table.publish(now(), columns);
   clients_.channels().forEach([this](ChannelList::Node& node) {
