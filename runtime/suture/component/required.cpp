@@ -1,4 +1,5 @@
 #include <suture/component/channel/channel.h>
+#include <suture/component/contract/unbounded.h>
 #include <suture/component/required.h>
 #include <suture/rt/queue/event_queue.h>
 

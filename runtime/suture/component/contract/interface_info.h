@@ -111,10 +111,6 @@ struct InterfaceInfo {
 /// lead to is not.
 std::uint32_t largestSlot(const InterfaceInfo& info);
 
-/// Throws SetupError if a task would provide or require a contract with unbounded values, because a
-/// task's thread never allocates.
-void refuseUnbounded(const InterfaceInfo& info, bool isTask);
-
 /// This makes the InterfaceInfo::toBase of a contract and its base.
 template <class Contract, class Base>
 void* castToBase(void* implementation) {

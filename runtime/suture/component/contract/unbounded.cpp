@@ -1,3 +1,4 @@
+#include <suture/base/errors.h>
 #include <suture/component/contract/unbounded.h>
 
 namespace suture {
@@ -13,6 +14,13 @@ std::string whyUnbounded(const InterfaceInfo& info) {
       return std::string("event '") + one.name + "' has a payload without a bound";
   }
   return "";
+}
+
+void refuseUnbounded(const InterfaceInfo& info, bool isTask) {
+  const std::string why = isTask ? whyUnbounded(info) : "";
+  if (why.empty()) return;
+  throw SetupError(std::string("a task with the contract ") + info.name, why,
+                   "Give it a capacity(), or let a device have this interface");
 }
 
 }  // namespace suture

@@ -10,4 +10,8 @@ namespace suture {
 /// Returns which values of this contract have no bound; "" if all have one.
 std::string whyUnbounded(const InterfaceInfo& info);
 
+/// Throws SetupError if a task would provide or require a contract with unbounded values, because a
+/// task's thread never allocates.
+void refuseUnbounded(const InterfaceInfo& info, bool isTask);
+
 }  // namespace suture
