@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "compiler/lock/major_versions.h"
+#include "compiler/lock/moves/possible_renames.h"
+#include "compiler/lock/moves/same_nodes.h"
 #include "compiler/lock/schema/renames.h"
 #include "compiler/lock/schema/wanted.h"
 #include "compiler/lock/schema/wire_type.h"
@@ -32,34 +34,6 @@ bool isMeaningful(const std::string& name) {
   return std::find(std::begin(kMeaningful), std::end(kMeaningful), name) != std::end(kMeaningful);
 }
 
-/// Finds the same node in another lock: first by its id, which outlives renames, then by its name,
-/// then by its C++ name.
-class Nodes {
- public:
-  explicit Nodes(const Lock& lock) {
-    for (const Node& node : lock.nodes) {
-      names_.emplace(node.name, &node);
-      identities_.emplace(identity(node), &node);
-      ids_.emplace(node.id, &node);
-    }
-  }
-
-  const Node* find(const Node& node) const {
-    const auto named = names_.find(node.name);
-    const bool isNamed = named != names_.end();
-    if (isNamed && named->second->id == node.id)
-      return named->second;  // the name decides if two nodes have one id
-    if (const auto known = ids_.find(node.id); known != ids_.end()) return known->second;
-    if (isNamed) return named->second;
-    const auto same = identities_.find(identity(node));
-    return same == identities_.end() ? nullptr : same->second;
-  }
-
- private:
-  std::map<std::string, const Node*> names_, identities_;
-  std::map<std::uint64_t, const Node*> ids_;
-};
-
 class Comparison {
  public:
   std::vector<Difference> run(const Lock& old, const Lock& now) {
@@ -68,7 +42,7 @@ class Comparison {
           " is in namespace " + now.cxxNamespace + " instead of " + old.cxxNamespace);
     }
     addMoves(old, now);
-    const Nodes nodes(now);
+    const SameNodes nodes(now);
     std::set<const Node*> known;
     for (const Node& node : old.nodes) {
       const Node* const same = nodes.find(node);
@@ -83,7 +57,7 @@ class Comparison {
     for (const Node& node : now.nodes) {
       if (!old.text.empty() && !known.contains(&node)) {
         add(Change::New, Effect::None, {}, {&node}, titleOf(node), " is new").hint =
-            hintOfRename(old, nodes, node);
+            hintOfRename(earlierNameOf(old, nodes, node, renames_));
       }
     }
     return std::move(found_);
@@ -188,7 +162,7 @@ class Comparison {
       add(Change::New, chosen ? Effect::Refusals : Effect::None, {&old}, {&now, &now.members[i]},
           titleOf(now, now.members[i]),
           std::string(" is new") + (chosen ? "; peers of before refuse a message that has it" : ""))
-          .hint = hintOfRename(old, now, now.members[i]);
+          .hint = hintOfRename(earlierNameOf(old, now, now.members[i], renames_));
     }
   }
 
@@ -205,42 +179,6 @@ class Comparison {
     } else {
       add(Change::Removed, Effect::None, before, now, subject, " was removed; its place is kept");
     }
-  }
-
-  /// Say what to do if it was a rename: without was() that looks like something removed and
-  /// something new of one form.
-  std::string hintOfRename(const Node& old, const Node& now, const Member& added) const {
-    for (std::size_t i = 0; i < std::min(old.members.size(), now.members.size()); ++i) {
-      const Member& before = old.members[i];
-      const bool gone = now.members[i].removed() && !before.removed();
-      if (!gone || !haveOneForm(before, added)) continue;
-      return hintOfRename(before.name);
-    }
-    return "";
-  }
-  std::string hintOfRename(const Lock& old, const Nodes& nodes, const Node& added) const {
-    for (const Node& before : old.nodes) {
-      const Node* const now = nodes.find(before);
-      const bool gone = now != nullptr && now->removed() && !before.removed();
-      if (!gone || before.kind != added.kind) continue;
-      if (haveOneForm(before.members, added.members)) return hintOfRename(before.name);
-    }
-    return "";
-  }
-  static std::string hintOfRename(const std::string& before) {
-    return "if it is '" + before + "' under another name, say was(\"" + before + "\")";
-  }
-
-  /// Returns true if a member can be an earlier one under another name.
-  bool haveOneForm(const Member& before, const Member& now) const {
-    return before.isMethod == now.isMethod && renames_.apply(before.type) == now.type &&
-           haveOneForm(before.parameters, now.parameters) &&
-           haveOneForm(before.results, now.results);
-  }
-  bool haveOneForm(const std::vector<Member>& before, const std::vector<Member>& now) const {
-    return std::equal(
-        before.begin(), before.end(), now.begin(), now.end(),
-        [this](const Member& old, const Member& one) { return haveOneForm(old, one); });
   }
 
   void compare(LockPlace before, LockPlace now) {
