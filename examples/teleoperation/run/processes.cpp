@@ -24,7 +24,7 @@ constexpr Duration kEndPatience = 5s;
 constexpr Duration kAftermath = 1500ms;
 // The report of the last full second is on its way when that second is over.
 constexpr Duration kLastReport = 500ms;
-// After a break, this is how long it may take until the last loss is reported, because silence has
+// After a break, this is how long it may take until the last loss is noticed, because silence has
 // to pass first.
 constexpr Duration kRecovery = 3s;
 constexpr int kReportDescriptor = 3;
@@ -185,8 +185,22 @@ const ChildProcess& Crew::workstation(const std::string& process) const {
   return (*found)->process;
 }
 
+/// A process that gets no time may take long to have its connections again, and says meanwhile that
+/// it cannot. If it never has them, its exit status tells.
 bool Crew::expectsLosses() const {
-  return broken_ || (result_.outage && suture::now() < result_.outage->mended + kRecovery);
+  if (broken_) return true;
+  if (!result_.outage) return false;
+  return suture::now() < result_.outage->mended + kRecovery || missesConnections();
+}
+
+/// Tells what the last reports say.
+bool Crew::missesConnections() const {
+  return std::any_of(workstations_.begin(), workstations_.end(), [](const auto& one) {
+    const auto& connections = one->report.connections;
+    return std::any_of(connections.begin(), connections.end(), [](const auto& connection) {
+      return connection.status == suture::ChannelStatus::Lost;
+    });
+  });
 }
 
 void Crew::end() {

@@ -89,6 +89,7 @@ class Crew {
   /// Returns true while a process is cut off, and shortly after: what is lost then is lost on
   /// purpose.
   bool expectsLosses() const;
+  bool missesConnections() const;
   bool allStarted() const;
   std::uint64_t reportsOfEach() const;
   const ChildProcess& workstation(const std::string& process) const;
