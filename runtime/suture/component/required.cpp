@@ -46,7 +46,12 @@ bool RequiredBase::pending() const {
   return rewired() || calls.followedMayBeDone() || subscriptions.pending();
 }
 
-bool RequiredBase::unseen() { return calls.unseen() || subscriptions.unseen(); }
+// To look for answers takes the flag for which the provider would ring again, so events are looked
+// for after that.
+bool RequiredBase::unseen() {
+  const bool answered = calls.unseen();
+  return answered || subscriptions.unseen() || pending();
+}
 
 Result<void> RequiredBase::handle(std::uint16_t event,
                                   std::function<void(const std::byte*, Time)> handler) {

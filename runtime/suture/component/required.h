@@ -124,7 +124,8 @@ class RequiredBase : protected RequiredParts {
   /// Owner's thread. Returns true in a handler of one of its events.
   bool handling() const { return subscriptions.handling(); }
   /// Owner's thread. Returns true if something has come since handleEvents() that run() has not
-  /// seen: an answer that it has not taken, or what was handled in a wait for an event.
+  /// seen: an answer that it has not taken, what was handled in a wait for an event, or what is
+  /// pending(). Nobody rings for what came before, so ask this last before a sleep.
   bool unseen();
 
  protected:
