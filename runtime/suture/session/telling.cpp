@@ -23,9 +23,12 @@ const char* remedyFor(const std::string& reason) {
 }  // namespace
 
 Telling::Telling(const std::string& process)
-    : taker_(std::make_shared<const Taker>([process](const std::string& line) {
-        rt::printUnlessFull(process + ": " + plain(line));
-      })) {}
+    : process_(process),
+      taker_(std::make_shared<const Taker>([this](const std::string& line) { print(line); })) {}
+
+void Telling::print(const std::string& line) const {
+  rt::printUnlessFull(process_ + ": " + plain(line));
+}
 
 void Telling::giveTo(Taker taker) {
   const std::lock_guard lock(mutex_);
@@ -36,7 +39,12 @@ void Telling::tell(const std::string& line) const {
   std::unique_lock lock(mutex_);
   const std::shared_ptr<const Taker> taker = taker_;
   lock.unlock();
-  if (*taker) (*taker)(line);
+  if (!*taker) return;
+  try {
+    (*taker)(line);
+  } catch (...) {
+    print(line);
+  }
 }
 
 std::string lossText(std::string why) {

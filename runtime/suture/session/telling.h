@@ -15,12 +15,16 @@ class Telling {
 
   explicit Telling(const std::string& process);
 
-  /// Any thread. Lines then go to `taker`, or nowhere if it is null.
+  /// Any thread. Lines then go to `taker`, or nowhere if it is null. A line of which it throws is
+  /// told on standard error, because whoever tells has more to do than to tell.
   void giveTo(Taker taker);
   /// Any thread, also that of a task that has just faulted.
   void tell(const std::string& line) const;
 
  private:
+  void print(const std::string& line) const;
+
+  const std::string process_;
   mutable std::mutex mutex_;  // not held while a line is told
   std::shared_ptr<const Taker> taker_;
 };

@@ -95,8 +95,10 @@ TEST(Telling, AProgramTakesTheLinesOrNone) {
             "component 'PSM' has faulted, its code threw: the encoder says nonsense");
 }
 
-TEST(Telling, ALossAndAReturnAreTold) {
-  const std::string told = toldBy([] {
+/// Returns what is told when a connection of `here` is lost and there again, after `prepare`.
+template <class Prepare>
+std::string toldOfALoss(const Prepare& prepare) {
+  return toldBy([&] {
     TemporaryDirectory directory;
     loop::ControlThread control;
     GlobalManager global(control, "unix:" + directory.file("manager.sock"));
@@ -104,6 +106,7 @@ TEST(Telling, ALossAndAReturnAreTold) {
     Listener listener;
     auto there = std::make_optional<Manager>("there", global.address());
     Manager here("here", global.address());
+    prepare(here);
     there->add("PSM", arm);
     here.add("Teleop", listener);
     there->start();
@@ -118,9 +121,23 @@ TEST(Telling, ALossAndAReturnAreTold) {
     EXPECT_TRUE(eventually([&] { return here.channels() != lost; }));
     here.stop();
   });
+}
+
+void expectLossAndReturn(const std::string& told) {
   const std::string connection = "here: connection 'here:Teleop/Slave -> there:PSM/Arm' ";
   EXPECT_TRUE(contains(told, connection + "is lost, ")) << told;
   EXPECT_TRUE(contains(told, connection + "is there again\n")) << told;
+}
+
+TEST(Telling, ALossAndAReturnAreTold) {
+  expectLossAndReturn(toldOfALoss([](Manager&) {}));
+}
+
+/// What a process tells must not decide what becomes of its connections.
+TEST(Telling, AThrowingTakersLineIsTold) {
+  expectLossAndReturn(toldOfALoss([](Manager& here) {
+    here.tellBy([](const std::string&) { throw std::runtime_error("its disk is full"); });
+  }));
 }
 
 TEST(Telling, TheManagersEndAndReturnAreTold) {
