@@ -37,7 +37,7 @@ EncodedPayloads::EncodedPayloads(const InterfaceInfo& contract)
     : contract_(contract),
       row_(contract),
       scratch_(kHeadWords + 2 * words(std::max<std::size_t>(largestSlot(contract), row_.bytes()))),
-      slot_(words(largestSlot(contract))),
+      slot_(std::max<std::size_t>(words(largestSlot(contract)), 1)),  // null would mean no value
       values_(row_.columns()) {}
 
 std::size_t EncodedPayloads::limit() const { return kLimit; }
