@@ -96,11 +96,13 @@ void Network::addLane(std::unique_ptr<LaneKind> lane) {
     throw SetupError("adding lane '" + name + "'", "there is one of that name",
                      "Give it a name of its own");
   }
-  const bool added = run(control_, kLocalWork, [this, &lane] {
-    const bool early = connections_.empty() && !sessions_->any();
-    if (early) lanes_.push_back(std::move(lane));
-    return early;
-  });
+  // The control thread may run this after the caller has given up.
+  const auto added =
+      run(control_, kLocalWork, [this, kept = std::make_shared<decltype(lane)>(std::move(lane))] {
+        const bool early = connections_.empty() && !sessions_->any();
+        if (early) lanes_.push_back(std::move(*kept));
+        return early;
+      });
   if (added) return;
   throw SetupError("adding lane '" + name + "'",
                    "this process has connections, whose sessions do not know it",
@@ -176,7 +178,7 @@ void Network::giveUp() {
 }
 
 void Network::disconnect(const std::string& required) {
-  run(control_, kLocalWork, [this, &required] {
+  run(control_, kLocalWork, [this, required] {
     connections_.at(required)->end();
     forget(required);
   });
