@@ -130,12 +130,7 @@ TEST_F(Guide, HoldsAndIsDisabledAfterAFault) {
   pass(1s);
   EXPECT_EQ(guide_.state(), suture::ComponentState::Running) << "it was restarted";
   EXPECT_EQ(guide_.guidance_state(), GuidanceState::Disabled);
-  forgetGoals();
-  moveMasters({0, 0, 0.02}, 50);
-  EXPECT_EQ(goals(), 0u);
-  guide_.enable();
-  ASSERT_TRUE(becomes(GuidanceState::Guiding));
-  expectThatBothFollow();
+  expectThatItWaitsForEnable();
 }
 
 /// Its reads go on while its commands wait for the operator.
@@ -259,12 +254,7 @@ TEST_F(Guide, ARefusingSlaveDisablesIt) {
     ASSERT_TRUE(complaints_.processEvents());
     EXPECT_NE(complaints_.error.find("refuses its goals"), std::string::npos) << complaints_.error;
     complaints_.error.clear();
-    forgetGoals();
-    moveMasters({0, 0, 0.02}, 50);
-    EXPECT_EQ(goals(), 0u);
-    guide_.enable();
-    ASSERT_TRUE(becomes(GuidanceState::Guiding));
-    expectThatBothFollow();
+    expectThatItWaitsForEnable();
   }
 }
 

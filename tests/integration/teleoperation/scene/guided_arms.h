@@ -125,6 +125,15 @@ class Guide : public testing::Test {
     EXPECT_NEAR((left() - leftBefore).x(), 0.004, 1e-6);
     EXPECT_NEAR((right() - rightBefore).x(), 0.004, 1e-6);
   }
+  /// The slaves get no goals until the guide is enabled.
+  void expectThatItWaitsForEnable() {
+    forgetGoals();
+    moveMasters({0, 0, 0.02}, 50);
+    EXPECT_EQ(goals(), 0u);
+    guide_.enable();
+    ASSERT_TRUE(becomes(GuidanceState::Guiding));
+    expectThatBothFollow();
+  }
 
   static constexpr suture::Duration kPreparationLimit = 5s;
   static inline const GuideParameters kPatient{.preparation_limit = kPreparationLimit};

@@ -133,7 +133,7 @@ TEST(Telling, ALossAndAReturnAreTold) {
   expectLossAndReturn(toldOfALoss([](Manager&) {}));
 }
 
-/// What a process tells must not decide what becomes of its connections.
+/// A process goes on with its connections even if it cannot tell of them.
 TEST(Telling, AThrowingTakersLineIsTold) {
   expectLossAndReturn(toldOfALoss([](Manager& here) {
     here.tellBy([](const std::string&) { throw std::runtime_error("its disk is full"); });
