@@ -14,7 +14,7 @@ JUMP = 0.02  # m
 class Jump(unittest.TestCase):
     def verdict_with_a_jump(self, topology, slave):
         """Returns what the demo says if one row of the slave's recording has another set-point and place than the rows around it."""
-        with Demo(PROGRAMS, "--topology", topology, "--network", "unix", "--lane", "shm", "--rate", "200", "--seconds", "4") as demo:
+        with Demo(PROGRAMS, "--topology", topology, "--network", "unix", "--lane", "shm", "--seconds", "4", rate=200) as demo:
             demo.await_progress(seconds=2)
             recorder = next(pathlib.Path(demo.folder.name).glob(f"*/{slave}.jsonl"))
             self.assertTrue(eventually(lambda: self.last_row(recorder)), "the slave was never enabled")

@@ -13,8 +13,7 @@ LOST = 7
 
 class LostRecords(unittest.TestCase):
     def test_the_verdict_counts_them(self):
-        with Demo(PROGRAMS, "--topology", "single", "--network", "unix", "--lane", "shm", "--rate", "200",
-                  "--seconds", "6") as demo:
+        with Demo(PROGRAMS, "--topology", "single", "--network", "unix", "--lane", "shm", "--seconds", "6", rate=200) as demo:
             demo.await_progress(seconds=2)
             recorder = self.recorder_of(demo, "PSM1")
             with recorder.open("a") as file:  # a line goes into it whole, as those of the recorder do

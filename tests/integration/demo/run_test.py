@@ -14,7 +14,7 @@ import sys
 import tempfile
 from xml.etree import ElementTree
 
-from programs import Demo
+from programs import RATE, Demo
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 LOOSE = 10  # times the demo's own bounds
@@ -23,11 +23,10 @@ CONNECTIONS = {"single": 41, "fig3a": 41, "fig3a_clutch": 43, "fig3b": 40, "fig3
 # A run's length counts from when all is connected. In fig3b guiding begins only after four arms have homed, which takes
 # seconds of a busy machine's time, and the knot cannot be judged unless it was guided.
 SECONDS = {"single": 4, "fig3a": 4, "fig3a_clutch": 12, "fig3b": 10, "fig3b_tasks": 10, "fig3c": 4}
-# This is the rate of the demo, Hz. It is low, because some demos run beside each other, and threads that wake up more often would leave no
-# time to those that look at images. Lane rpc has to be slower still, for it carries images and each read within a process by TLS; and so do
-# twenty processes, in which nothing is within a process.
-RATES = {"auto": "500", "shm": "500", "frame": "500", "rpc": "200"}
-RATE_OF_TWENTY_PROCESSES = "200"
+# Lane rpc has to be slower than others, for it carries images and each read within a process by TLS; and so do twenty processes, in which
+# nothing is within a process. Both are in Hz.
+RATE_OF_RPC = 200
+RATE_OF_TWENTY_PROCESSES = 200
 SLAVES = {
     "fig3b": {},
     "fig3b_tasks": {},
@@ -163,15 +162,14 @@ def check(result, topology, lane, network):
 
 def main():
     programs, topology, lane, network = pathlib.Path(sys.argv[1]), *sys.argv[2:5]
-    rate = RATE_OF_TWENTY_PROCESSES if topology == "fig3b_tasks" else RATES[lane]
-    options = ["--topology", topology, "--lane", lane, "--network", network, "--rate", rate,
-               "--seconds", str(SECONDS[topology]), *sys.argv[5:]]
+    rate = RATE_OF_TWENTY_PROCESSES if topology == "fig3b_tasks" else RATE_OF_RPC if lane == "rpc" else RATE
+    options = ["--topology", topology, "--lane", lane, "--network", network, "--seconds", str(SECONDS[topology]), *sys.argv[5:]]
     places_knot = topology.startswith("fig3b")
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "knot.png"
         if places_knot:
             options += ["--picture", picture]
-        with Demo(programs, *options, real_time=lane == network == "auto") as demo:
+        with Demo(programs, *options, rate=rate, real_time=lane == network == "auto") as demo:
             status, output = demo.finish()
             print(output)
             result = demo.result()

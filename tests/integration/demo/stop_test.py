@@ -13,7 +13,7 @@ from programs import Demo
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 
 
-class Stop(unittest.TestCase):
+class Pressed(unittest.TestCase):
     def run_and_stop(self, *options, real_time=False):
         with Demo(PROGRAMS, *options, real_time=real_time) as demo:
             status, output = demo.finish()
@@ -30,9 +30,13 @@ class Stop(unittest.TestCase):
             self.assertIn("PSM1, with the stop pressed", output)
             return output
 
+
+class RealTime(Pressed):
     def test_across_processes(self):
         self.run_and_stop("--topology", "fig3c", "--seconds", "7", "--stop", "3s", real_time=True)
 
+
+class Stop(Pressed):
     def test_in_one_process_without_real_time_priorities(self):
         output = self.run_and_stop("--topology", "single", "--seconds", "7", "--stop", "3s")
         self.assertIn("at most 250 ms old, for this user may have no real-time priorities", output)

@@ -14,8 +14,7 @@ PROGRAMS = pathlib.Path(sys.argv.pop(1))
 class StopsFollowing(unittest.TestCase):
     def run_with(self, command):
         """Returns what the demo says of PSM1, at which `command` is called in the middle of the run."""
-        with Demo(PROGRAMS, "--topology", "single", "--network", "unix", "--lane", "shm", "--rate", "200",
-                  "--seconds", "10") as demo:
+        with Demo(PROGRAMS, "--topology", "single", "--network", "unix", "--lane", "shm", "--seconds", "10", rate=200) as demo:
             demo.await_progress(seconds=4)
             file = next(pathlib.Path(demo.folder.name).glob("*/deployment.json"))
             manager = json.loads(file.read_text())["manager"]

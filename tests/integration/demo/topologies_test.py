@@ -132,7 +132,7 @@ class Topologies(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "alone.json"
             file.write_text(json.dumps(deployment))
-            with Demo(PROGRAMS, "--topology", file, "--rate", "500", "--seconds", "4") as demo:
+            with Demo(PROGRAMS, "--topology", file, "--seconds", "4") as demo:
                 _, output = demo.finish()
                 result = demo.result()
         self.assertEqual(result["failures"], [], output)
