@@ -11,7 +11,7 @@ namespace suture::codec {
 template <class List, class Element, std::uint32_t N, class Convert>
 Errc fromWireDistinct(const List& in, BoundedList<Element, N>& slot, const Convert& convert) {
   if (const Errc error = fromWireList(in, slot, convert); error != Errc{}) return error;
-  return arrange(slot) ? Errc{} : Errc::Invalid;
+  return arrange(slot, in.size()) ? Errc{} : Errc::Invalid;
 }
 
 // --- lists of fixed vectors: all coefficients in one flat list

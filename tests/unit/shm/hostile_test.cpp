@@ -5,6 +5,7 @@
 #include <suture/lane/shm/shared_channel.h>
 #include <suture/record/json_lines.h>
 #include <suture/record/state_collector.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -94,6 +95,7 @@ class Scribbler {
  public:
   Scribbler(const MemoryBlock& block, unsigned seed) : pid_(fork()) {
     if (pid_ != 0) return;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // also if the test crashes
     std::minstd_rand random(seed);
     for (;;) {
       const std::uint64_t values[] = {0,

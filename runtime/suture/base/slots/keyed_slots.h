@@ -20,20 +20,25 @@ bool comesBefore(T a, T b) {
 }
 template <std::uint32_t N>
 bool comesBefore(const BoundedText<N>& a, const BoundedText<N>& b) {
-  return std::string_view(elements(a), a.size) < std::string_view(elements(b), b.size);
+  return std::string_view(elements(a), sizeOf(a)) < std::string_view(elements(b), sizeOf(b));
 }
 template <class Key, class Value>
 bool comesBefore(const SlotEntry<Key, Value>& a, const SlotEntry<Key, Value>& b) {
   return comesBefore(a.key, b.key);
 }
 
-/// Sorts the elements. Returns false if two of them, or two of their keys, are equal.
+/// Sorts the first `size` elements. Returns false if two of them, or two of their keys, are equal.
+/// It sorts them as a heap, which stays within its places even if another process changes what it
+/// compares; std::sort() relies on an element to stop at.
 template <class S, std::uint32_t N>
-bool arrange(BoundedList<S, N>& slot) {
+bool arrange(BoundedList<S, N>& slot, std::size_t size) {
   S* const begin = elements(slot);
-  S* const end = begin + slot.size;
+  S* const end = begin + size;
   const auto before = [](const S& a, const S& b) { return comesBefore(a, b); };
-  if (!std::is_sorted(begin, end, before)) std::sort(begin, end, before);
+  if (!std::is_sorted(begin, end, before)) {
+    std::make_heap(begin, end, before);
+    std::sort_heap(begin, end, before);
+  }
   return std::adjacent_find(begin, end, [&](const S& a, const S& b) { return !before(a, b); }) ==
          end;
 }
@@ -51,7 +56,7 @@ bool storeKeyed(const Container& value, BoundedList<S, N>& slot) {
   S* next = elements(slot);
   bool fits = true;
   for (const auto& element : value) fits = store(element, *next++) && fits;
-  return fits && arrange(slot);
+  return fits && arrange(slot, value.size());
 }
 
 /// Fills any set or map: calls reuse(element, node) while it has old nodes, and then add(element).

@@ -19,7 +19,7 @@ requires isOpenVector<Eigen::Matrix<S, Rows, Columns>>
 bool store(const Eigen::Matrix<S, Rows, Columns, O, MaxRows, MaxColumns>& value,
            BoundedList<S, N>& slot) {
   if (!resize(slot, static_cast<std::size_t>(value.size()))) return false;
-  std::copy_n(value.data(), slot.size, elements(slot));
+  std::copy_n(value.data(), value.size(), elements(slot));
   return true;
 }
 template <Number S, int Rows, int Columns, int O, int MaxRows, int MaxColumns, std::uint32_t N>
@@ -37,7 +37,7 @@ bool store(const Eigen::Matrix<S, Rows, Eigen::Dynamic, O, Rows, MaxColumns>& va
            BoundedList<std::array<S, R>, N>& slot) {
   static_assert(R == std::size_t{Rows});
   if (!resize(slot, static_cast<std::size_t>(value.cols()))) return false;
-  for (std::uint32_t i = 0; i < slot.size; ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(value.cols()); ++i) {
     std::copy_n(value.data() + R * i, R, slot.data[i].data());
   }
   return true;

@@ -5,7 +5,9 @@
 // a capacity. A level without one owns memory; such a slot lies outside its record, see
 // shared_slot.h.
 //
-//   store(value, slot): C++ -> slot; false if the value exceeds the capacity of the slot
+//   store(value, slot): C++ -> slot; false if the value exceeds the capacity of the slot. Another
+//                       process may write to the slot meanwhile, so nothing that is read back from
+//                       it may decide how far store() reads or writes.
 //   load(slot, value):  slot -> C++; reuses what the value already owns
 
 #include <suture/annotate.h>

@@ -88,10 +88,11 @@ inline constexpr bool liesAlike = Number<T>&& std::is_same_v<T, S>;
 template <class T, class S, std::uint32_t N>
 bool store(const std::vector<T>& value, BoundedList<S, N>& slot) {
   if (!resize(slot, value.size())) return false;
-  const std::uint32_t size = sizeOf(slot);  // g++ 12 at -O3 is not sure that value.size() is <= N
+  std::size_t size = value.size();
+  if constexpr (N != kUnbounded) size = std::min(size, std::size_t{N});  // as g++ 12 cannot tell
   if constexpr (liesAlike<T, S>) return std::copy_n(value.data(), size, elements(slot)), true;
   bool fits = true;
-  for (std::uint32_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     const T& element = value[i];  // binds a vector<bool> proxy to a bool
     fits = store(element, slot.data[i]) && fits;
   }
