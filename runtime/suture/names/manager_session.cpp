@@ -16,7 +16,7 @@ constexpr Duration kLongestWait = std::chrono::minutes(1);
 struct Asker {
   net::PeerIdentity identity;
   net::Refusals& refusals;
-  std::shared_ptr<Holding> holding = std::make_shared<Holding>();
+  std::shared_ptr<Holding> holding;
 
   void refuse(const Refusal& refusal, wire::Refusal::Builder out) const {
     refusals.add(identity.text(), refusal.text);
@@ -137,7 +137,9 @@ class GlobalManagerServer final : public wire::GlobalManager::Server {
                       std::shared_ptr<framing::Caller> caller)
       : names_(kj::mv(names)),
         caller_(std::move(caller)),
-        asker_{.identity = caller_->identity, .refusals = refusals} {}
+        asker_{.identity = caller_->identity,
+               .refusals = refusals,
+               .holding = names_->holdingOf(caller_->identity)} {}
 
  protected:
   kj::Promise<void> hello(HelloContext context) override {
@@ -188,22 +190,40 @@ void NameService::forgetAnswered() {
   waiting_ = kj::mv(others);
 }
 
-std::size_t NameService::waitingOf(const std::shared_ptr<Holding>& link) const {
-  return static_cast<std::size_t>(std::count_if(
-      waiting_.begin(), waiting_.end(), [&](const Waiting& one) { return one.link == link; }));
+std::shared_ptr<Holding> NameService::holdingOf(const net::PeerIdentity& peer) {
+  auto link = std::make_shared<Holding>();
+  if (peer.proof == net::PeerIdentity::Proof::None) return link;
+  std::erase_if(peers_, [](const auto& known) { return known.second.expired(); });
+  std::weak_ptr<Holding>& known = peers_[peer.text()];
+  link->peer = known.lock();
+  if (link->peer == nullptr) known = link->peer = std::make_shared<Holding>();
+  return link;
 }
 
-// One process that asks again and again must leave room to those that start.
+template <class Counts>
+std::size_t NameService::waitingOf(const Counts& counts) const {
+  return static_cast<std::size_t>(std::count_if(
+      waiting_.begin(), waiting_.end(), [&](const Waiting& one) { return counts(*one.link); }));
+}
+
+// One process that asks again and again must leave room to those that start, and one user to
+// others.
 std::string NameService::whyNoRoom(const std::shared_ptr<Holding>& link) {
-  const auto isFull = [&] {
-    return waiting_.size() >= kMostWaiting || waitingOf(link) >= kMostWaitingOfALink;
+  const auto why = [&]() -> std::string {
+    if (waitingOf([&](const Holding& one) { return &one == link.get(); }) >= kMostWaitingOfALink) {
+      return std::to_string(kMostWaitingOfALink) +
+             " of this link wait for names, and no more of one link may";
+    }
+    const auto isOfPeer = [&](const Holding& one) { return one.peer == link->peer; };
+    if (link->peer != nullptr && waitingOf(isOfPeer) >= kMostWaitingOfAPeer) {
+      return std::to_string(kMostWaitingOfAPeer) +
+             " of this user, or with this certificate, wait for names, and no more of one may";
+    }
+    if (waiting_.size() < kMostWaiting) return "";
+    return std::to_string(kMostWaiting) + " wait for names here, and no more may";
   };
-  if (isFull()) forgetAnswered();
-  if (!isFull()) return "";
-  return waitingOf(link) >= kMostWaitingOfALink
-             ? std::to_string(kMostWaitingOfALink) +
-                   " of this link wait for names, and no more of one link may"
-             : std::to_string(kMostWaiting) + " wait for names here, and no more may";
+  if (!why().empty()) forgetAnswered();
+  return why();
 }
 
 kj::Promise<void> NameService::whenKnown(const std::string& name, std::uint32_t waitMilliseconds,

@@ -9,6 +9,7 @@
 #include <suture/manager.capnp.h>
 #include <suture/names/registry.h>
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -18,13 +19,17 @@ namespace suture {
 /// wait for a name.
 class NameService final : public kj::Refcounted {
  public:
-  /// Limits how many may wait for names at a time, of all links and of one; a further one is
-  /// refused at once.
-  static constexpr std::size_t kMostWaiting = 4096, kMostWaitingOfALink = 256;
+  /// Limits how many may wait for names at a time, of all links, of those of one peer, and of one;
+  /// a further one is refused at once.
+  static constexpr std::size_t kMostWaiting = 4096, kMostWaitingOfAPeer = kMostWaiting / 2,
+                               kMostWaitingOfALink = 256;
 
   explicit NameService(kj::Timer& timer) : timer_(timer), aging_(age().eagerlyEvaluate(nullptr)) {}
 
   Registry& registry() { return registry_; }
+  /// Returns what counts for a new link of that peer. All peers with the same proof of who they are
+  /// count as one; by plain TCP nobody proves who he is.
+  std::shared_ptr<Holding> holdingOf(const net::PeerIdentity& peer);
   /// Wakes the requests that wait for `name`.
   void announce(const std::string& name);
   /// Returns which limit one more that waits for the link would exceed; "" if it may.
@@ -42,11 +47,14 @@ class NameService final : public kj::Refcounted {
   };
 
   void forgetAnswered();
-  std::size_t waitingOf(const std::shared_ptr<Holding>& link) const;
+  /// Returns how many of those wait for which `counts(link)`.
+  template <class Counts>
+  std::size_t waitingOf(const Counts& counts) const;
   kj::Promise<void> age();
 
   kj::Timer& timer_;
   Registry registry_;
+  std::map<std::string, std::weak_ptr<Holding>> peers_;  // by what they have proved
   kj::Vector<Waiting> waiting_;
   kj::Promise<void> aging_;  // last: cancelled first
 };

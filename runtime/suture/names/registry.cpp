@@ -9,7 +9,6 @@ namespace {
 
 using Kind = wire::Refusal::Kind;
 
-constexpr std::size_t kMaxProcesses = 4096;
 constexpr std::size_t kMaxName = 100;
 
 std::string inBytes(std::size_t count) { return std::to_string(count) + " bytes"; }
@@ -41,9 +40,7 @@ tl::expected<std::uint64_t, Refusal> Registry::add(ProcessRecord process,
   if (const auto silent = processes_.find(process.name); silent != processes_.end()) erase(silent);
   process.silent = false;
   process.generation = ++generation_;
-  bytes_ += bytes;
-  holding->bytes += bytes;
-  ++holding->names;
+  count(*holding, 1, static_cast<std::ptrdiff_t>(bytes));
   const std::string name = process.name;
   processes_.emplace(name, Entry{std::move(process), bytes, std::move(holding)});
   return generation_;
@@ -75,8 +72,8 @@ std::string Registry::whyTooMuch(const std::string& name, std::size_t asked,
            ", and no process is given more than " + inBytes(kMostBytesOfARecord) +
            ". Divide it into several.";
   }
-  if (isNew && processes_.size() == kMaxProcesses) {
-    return "the manager knows " + std::to_string(kMaxProcesses) +
+  if (isNew && processes_.size() == kMostNames) {
+    return "the manager knows " + std::to_string(kMostNames) +
            " processes, and knows no more. Stop those that are not needed.";
   }
   if (isNewOfLink && holding.names == kMostNamesOfALink) {
@@ -87,6 +84,18 @@ std::string Registry::whyTooMuch(const std::string& name, std::size_t asked,
     return "the processes of its link would take more than " + inBytes(kMostBytesOfALink) +
            ". Use another link.";
   }
+  if (const Holding* const peer = holding.peer.get()) {
+    const bool isNewOfPeer = isNew || replaced->second.holding->peer.get() != peer;
+    if (isNewOfPeer && peer->names == kMostNamesOfAPeer) {
+      return "the processes of its user, or with its certificate, are " +
+             std::to_string(kMostNamesOfAPeer) +
+             ", and the manager knows no more of one. Stop some.";
+    }
+    if (peer->bytes - (isNewOfPeer ? 0 : before) + asked > kMostBytesOfAPeer) {
+      return "the processes of its user, or with its certificate, would take more than " +
+             inBytes(kMostBytesOfAPeer) + ". Stop some.";
+    }
+  }
   if (bytes_ - before + asked > kMostBytes) {
     return "all processes would take more than " + inBytes(kMostBytes) + ". Stop some.";
   }
@@ -94,11 +103,16 @@ std::string Registry::whyTooMuch(const std::string& name, std::size_t asked,
 }
 
 void Registry::erase(Processes::iterator entry) {
-  Entry& gone = entry->second;
-  bytes_ -= gone.bytes;
-  gone.holding->bytes -= gone.bytes;
-  --gone.holding->names;
+  count(*entry->second.holding, -1, -static_cast<std::ptrdiff_t>(entry->second.bytes));
   processes_.erase(entry);
+}
+
+void Registry::count(Holding& link, std::ptrdiff_t names, std::ptrdiff_t bytes) {
+  bytes_ += bytes;
+  for (Holding* one = &link; one != nullptr; one = one->peer.get()) {
+    one->names += names;
+    one->bytes += bytes;
+  }
 }
 
 Registry::Entry* Registry::held(const std::string& name, std::uint64_t generation) {
@@ -119,8 +133,8 @@ tl::expected<void, Refusal> Registry::update(const std::string& name, std::uint6
   }
   entry->process.components = std::move(components);
   entry->bytes = bytes;
-  entry->holding->bytes += bytes - before;
-  bytes_ += bytes - before;
+  count(*entry->holding, 0,
+        static_cast<std::ptrdiff_t>(bytes) - static_cast<std::ptrdiff_t>(before));
   return {};
 }
 

@@ -3,6 +3,7 @@
 
 #include <suture/names/records.h>
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,20 +17,23 @@ namespace suture {
 /// Returns why no process can have that name, and what to do; "" if one can.
 std::string whyNoName(const std::string& name);
 
-/// Counts what a registry holds for one link. The registry keeps it, and shares it with those that
-/// add names for the link.
+/// Counts what a registry holds for one link, or for all links of one peer. The registry keeps it,
+/// and shares it with those that add names for the link.
 struct Holding {
   std::size_t names = 0, bytes = 0;
+  std::shared_ptr<Holding> peer;  ///< of a link whose peer has proved who it is
 };
 
-/// One thread uses it. Knows processes by name. What one record, one link, and all of them may hold
-/// is bounded, so that no peer can fill the process that knows names.
+/// One thread uses it. Knows processes by name. What one record, one link, one peer, and all of
+/// them may hold is bounded, so that no peer can fill the process that knows names, nor take the
+/// room of others.
 class Registry {
  public:
   static constexpr std::size_t kMostBytesOfARecord = 1u << 20;
   static constexpr std::size_t kMostBytesOfALink = 4u << 20;
   static constexpr std::size_t kMostNamesOfALink = 64;
-  static constexpr std::size_t kMostBytes = 64u << 20;
+  static constexpr std::size_t kMostNames = 4096, kMostNamesOfAPeer = kMostNames / 2;
+  static constexpr std::size_t kMostBytes = 64u << 20, kMostBytesOfAPeer = kMostBytes / 2;
   static constexpr std::size_t kBytesOfAPage = 1u << 20;
 
   /// Returns the generation under which the process is now known, or a refusal: a process that is
@@ -74,6 +78,8 @@ class Registry {
 
   Entry* held(const std::string& name, std::uint64_t generation);
   void erase(Processes::iterator entry);
+  /// Counts so many more, which may be less, for the link, for its peer and in all.
+  void count(Holding& link, std::ptrdiff_t names, std::ptrdiff_t bytes);
   std::optional<Refusal> whyNot(const ProcessRecord& process, std::size_t bytes,
                                 const Holding& holding) const;
   /// Returns which limit a record of `bytes` would exceed in place of what `name` has now; "" if it

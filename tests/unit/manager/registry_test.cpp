@@ -179,6 +179,38 @@ TEST(Registry, ARefusedSuccessorTakesNoName) {
   EXPECT_EQ(registry.find("left")->pid, 4711);
 }
 
+/// Returns a new link of that peer.
+std::shared_ptr<Holding> linkOf(const std::shared_ptr<Holding>& peer) {
+  auto link = std::make_shared<Holding>();
+  link->peer = peer;
+  return link;
+}
+
+TEST(Registry, NamesOfAPeersLinksAreBounded) {
+  Registry registry;
+  const auto peer = link();
+  std::uint64_t last = 0;
+  for (std::size_t i = 0; i < Registry::kMostNamesOfAPeer; ++i) {
+    const auto added = registry.add(recordOf("name" + std::to_string(i)), linkOf(peer));
+    ASSERT_TRUE(added);
+    last = *added;
+  }
+  expectLimit(registry.add(recordOf("left"), linkOf(peer)), "2048, and the manager knows no more");
+  EXPECT_TRUE(registry.add(recordOf("left"), linkOf(link()))) << "another peer has room";
+  registry.remove("name2047", last);
+  EXPECT_TRUE(registry.add(recordOf("right"), linkOf(peer)));
+}
+
+TEST(Registry, BytesOfAPeersLinksAreBounded) {
+  Registry registry;
+  const auto peer = link();
+  std::size_t added = 0;
+  while (registry.add(recordOfSize(std::to_string(added), 1'000'000), linkOf(peer))) ++added;
+  EXPECT_EQ(added, 33u);
+  expectLimit(registry.add(recordOfSize("more", 1'000'000), linkOf(peer)), "33554432 bytes");
+  EXPECT_TRUE(registry.add(recordOfSize("more", 1'000'000), linkOf(link())));
+}
+
 TEST(Registry, AllTogetherAreBounded) {
   Registry registry;
   std::size_t added = 0;
