@@ -182,8 +182,8 @@ std::vector<Trouble> Host::troubles() const {
   if (stopped_) return found;
   const std::vector<Trouble> connections = connectionTroubles();
   found.insert(found.end(), connections.begin(), connections.end());
-  if (const std::string address = manager_->missingGlobalManager(); !address.empty()) {
-    found.push_back({"the global manager at " + address, kManagerIsMissing, false});
+  for (const auto& [address, why] : manager_->whyNoGlobalManager()) {
+    found.push_back({"the global manager at " + address, why, false});
   }
   return found;
 }

@@ -21,6 +21,9 @@ constexpr Duration kRenewal = std::chrono::milliseconds(wire::RENEWAL_MILLISECON
 constexpr Duration kFirstPause = std::chrono::milliseconds(50);
 constexpr Duration kLongestPause = std::chrono::milliseconds(250);
 
+constexpr const char* kDoesNotAnswer =
+    "does not answer: connections live on, new ones have to wait for one that does. Start it again";
+
 }  // namespace
 
 ManagerLease::ManagerLease(loop::ControlThread& control, const net::Address& manager,
@@ -31,7 +34,8 @@ ManagerLease::ManagerLease(loop::ControlThread& control, const net::Address& man
       trust_(std::move(trust)),
       news_(std::move(news)),
       lookup_(control.port(), manager),
-      here_(manager) {}
+      here_(manager),
+      trouble_(kDoesNotAnswer) {}
 
 kj::Promise<void> ManagerLease::open() {
   auto reached = lookup_.places(kAnswerLimit).then([this](std::vector<net::Address> places) {
@@ -74,8 +78,7 @@ kj::Promise<void> ManagerLease::enrolNow() {
     if (results.isRefused()) return refused(results.getRefused());
     process_.generation = results.getGeneration();
     lease_ = results.getLease();
-    enrolled_ = true;
-    tell(true);
+    setTrouble("");
     if (untold_) update(std::vector(process_.components));
     return kj::READY_NOW;
   });
@@ -86,6 +89,7 @@ kj::Promise<void> ManagerLease::enrolNow() {
 kj::Promise<void> ManagerLease::keep() {
   return KJ_REQUIRE_NONNULL(link_)
       ->onDisconnect()
+      .then([this] { setTrouble(kDoesNotAnswer); })
       .exclusiveJoin(renew())
       .then([this] { return comeBack(kFirstPause); })
       .then([this] { return keep(); });
@@ -97,7 +101,11 @@ kj::Promise<void> ManagerLease::renew() {
   auto held = KJ_REQUIRE_NONNULL(lease_).renewRequest().send().then(
       [](auto&& results) { return results.getHeld(); },
       [](kj::Exception&&) { return true; });  // a broken link ends by itself
-  return loop::unlessLate(control_.timer(), kAnswerLimit, kj::mv(held), [] { return false; })
+  const auto onLate = [this] {
+    setTrouble(kDoesNotAnswer);
+    return false;
+  };
+  return loop::unlessLate(control_.timer(), kAnswerLimit, kj::mv(held), onLate)
       .then([this](bool goesOn) -> kj::Promise<void> {
         if (!goesOn) return kj::READY_NOW;
         return control_.timer().afterDelay(loop::toKj(kRenewal)).then([this] { return renew(); });
@@ -110,21 +118,33 @@ kj::Promise<void> ManagerLease::comeBack(Duration pause) {
       .afterDelay(loop::toKj(pause))
       .then([this] { return open(); })
       .then([this] { return enrolNow(); })
-      .catch_(
-          [this, pause](kj::Exception&&) { return comeBack(std::min(2 * pause, kLongestPause)); });
+      .catch_([this, pause](kj::Exception&& failure) {
+        const bool refused = failure.getType() == Type::FAILED;
+        setTrouble(refused ? "cannot be used: " + loop::describe(failure) : kDoesNotAnswer);
+        return comeBack(std::min(2 * pause, kLongestPause));
+      });
 }
 
 // The name is free for the next attempt as soon as the manager has seen the end of this one.
 void ManagerLease::drop() {
-  if (enrolled_.exchange(false)) tell(false);
   lease_ = nullptr;
   session_ = nullptr;
   link_ = nullptr;
 }
 
-// The first registration is no news.
-void ManagerLease::tell(bool known) {
-  if (std::exchange(toldGone_, !known) != !known) news_(manager_, known);
+std::string ManagerLease::trouble() const {
+  const std::lock_guard lock(mutex_);
+  return trouble_;
+}
+
+void ManagerLease::setTrouble(const std::string& trouble) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (trouble_ == trouble) return;
+    trouble_ = trouble;
+  }
+  const bool wasTold = std::exchange(told_, !trouble.empty());
+  if (wasTold || told_) news_(manager_, trouble);
 }
 
 void ManagerLease::update(std::vector<ComponentRecord> components) {

@@ -8,8 +8,8 @@
 #include <suture/net/host_lookup.h>
 #include <suture/net/secure.h>
 
-#include <atomic>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -20,9 +20,9 @@ namespace suture {
 /// was gone or silent, or to its successor, as often as needed.
 class ManagerLease {
  public:
-  /// Told what becomes of a registration: `known` is false when a manager that knew the process
-  /// does not answer any more or does not know it, and true when it does again.
-  using News = std::function<void(const net::Address& manager, bool known)>;
+  /// Told when trouble() changes. That the process is registered for the first time is no news, nor
+  /// is that a manager has not been there yet.
+  using News = std::function<void(const net::Address& manager, const std::string& trouble)>;
 
   ManagerLease(loop::ControlThread& control, const net::Address& manager, std::string program,
                net::Trust trust, News news);
@@ -41,8 +41,9 @@ class ManagerLease {
   kj::Promise<void> enrol(ProcessRecord process);
   /// Tells the manager what the process offers and needs now.
   void update(std::vector<ComponentRecord> components);
-  /// Any thread. Returns true if the manager answers and knows this process.
-  bool enrolled() const { return enrolled_.load(std::memory_order_relaxed); }
+  /// Any thread. Returns what the manager does instead of knowing this process: "does not answer:
+  /// connections live on ...", or "cannot be used: " and why; "" if it knows it.
+  std::string trouble() const;
 
   /// The manager lets one question wait this long at most.
   static constexpr Duration kLongestWait = std::chrono::seconds(60);
@@ -58,7 +59,7 @@ class ManagerLease {
   kj::Promise<void> renew();
   kj::Promise<void> comeBack(Duration pause);
   void drop();
-  void tell(bool known);
+  void setTrouble(const std::string& trouble);
   kj::Exception gone() const;
 
   loop::ControlThread& control_;
@@ -72,9 +73,10 @@ class ManagerLease {
   kj::Maybe<wire::Session::Client> session_;
   kj::Maybe<wire::Lease::Client> lease_;
   ProcessRecord process_;
-  bool untold_ = false;  // its components have changed since it was registered
-  std::atomic<bool> enrolled_{false};
-  bool toldGone_ = false;
+  bool untold_ = false;       // its components have changed since it was registered
+  mutable std::mutex mutex_;  // guards the next one
+  std::string trouble_;
+  bool told_ = false;                          // there is trouble, and it is no secret
   kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
 };
 

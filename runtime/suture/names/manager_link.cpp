@@ -84,7 +84,7 @@ kj::Exception ManagerLink::notOpen(const Failures& failures) const {
 kj::Promise<void> ManagerLink::enrol(const ProcessRecord& process) {
   return enrolFrom(leases_.begin(), process).then([this] {
     const bool enrolled = std::any_of(leases_.begin(), leases_.end(),
-                                      [](const auto& lease) { return lease->enrolled(); });
+                                      [](const auto& lease) { return lease->trouble().empty(); });
     if (!enrolled) kj::throwFatalException(gone("register this process"));
   });
 }
@@ -156,10 +156,17 @@ kj::Promise<std::vector<ProcessRecord>> ManagerLink::list() {
 std::string ManagerLink::missing() const {
   std::string text;
   for (const auto& lease : leases_) {
-    if (lease->enrolled()) continue;
+    if (lease->trouble().empty()) continue;
     text += (text.empty() ? "" : ",") + lease->address().text();
   }
   return text;
+}
+
+std::map<std::string, std::string> ManagerLink::troubles() const {
+  std::map<std::string, std::string> all;
+  for (const auto& lease : leases_) all[lease->address().text()] = lease->trouble();
+  std::erase_if(all, [](const auto& one) { return one.second.empty(); });
+  return all;
 }
 
 kj::Exception ManagerLink::gone(const std::string& asked) const {

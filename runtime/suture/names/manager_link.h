@@ -3,6 +3,7 @@
 
 #include <suture/names/manager_lease.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ class ManagerLink {
   ManagerLink(
       loop::ControlThread& control, const std::vector<net::Address>& managers,
       const std::string& program, const net::Trust& trust = {},
-      const ManagerLease::News& news = [](const net::Address&, bool) {});
+      const ManagerLease::News& news = [](const net::Address&, const std::string&) {});
 
   /// Resolves as soon as one manager answers and the others have answered or failed; tries again
   /// for `patience`. Rejects with what was found and what to do.
@@ -43,9 +44,10 @@ class ManagerLink {
   /// Resolves to a stream to a process that the managers know, at its addressOf(). net::reach()
   /// says what `limit` holds for.
   kj::Promise<net::ByteStream> reach(const ProcessRecord& process, Duration limit);
-  /// Any thread. Returns the addresses of the managers that do not answer or do not know this
-  /// process.
+  /// Any thread. Returns the addresses of the managers that do not know this process.
   std::string missing() const;
+  /// Any thread. Returns trouble() of each of them, by its address.
+  std::map<std::string, std::string> troubles() const;
 
  private:
   using Leases = std::vector<std::unique_ptr<ManagerLease>>;

@@ -186,6 +186,8 @@ void Network::disconnect(const std::string& required) {
 
 std::string Network::missingManager() const { return link_->missing(); }
 
+std::map<std::string, std::string> Network::managerTroubles() const { return link_->troubles(); }
+
 std::string Network::leave() {
   std::string why = endThere();
   for (const auto& lane : lanes_) lane->stop();
@@ -202,9 +204,9 @@ std::vector<std::shared_ptr<Channel>> Network::served() const {
 
 kj::Promise<void> Network::join(Duration patience) {
   givenUp_ = std::make_unique<loop::Milestone>();
-  const auto tellOfManager = [this](const net::Address& manager, bool known) {
+  const auto tellOfManager = [this](const net::Address& manager, const std::string& trouble) {
     telling_.tell("the global manager at " + manager.text() + " " +
-                  (known ? kIsThereAgain : kManagerIsMissing));
+                  (trouble.empty() ? kIsThereAgain : trouble));
   };
   link_ = std::make_unique<ManagerLink>(control_, managers_, directory_.process(),
                                         security_.trust(), tellOfManager);

@@ -70,8 +70,10 @@ class Network {
   /// until this is destroyed.
   std::string leave();
 
-  /// Returns the addresses of the global managers that do not answer.
+  /// Returns the addresses of the global managers that do not know this process.
   std::string missingManager() const;
+  /// Returns by the address of each of them why not; see ManagerLease::trouble().
+  std::map<std::string, std::string> managerTroubles() const;
 
   /// Tells what has become of the connections that this process has begun.
   const ConnectionNews& news() const { return news_; }

@@ -31,9 +31,6 @@ class Telling {
 
 /// Says of a connection, or of a global manager, that it was missing.
 inline constexpr const char* kIsThereAgain = "is there again";
-/// Says what is missing without a global manager.
-inline constexpr const char* kManagerIsMissing =
-    "does not answer: connections live on, new ones have to wait for one that does. Start it again";
 
 /// Returns "is lost, closed: its process has ended. Start that process again ..." for the reason
 /// that ConnectionNews has.
