@@ -156,14 +156,12 @@ void Component::setState(ComponentState state) {
   tellListener(state);
 }
 
-bool Component::hasStateListener() const { return aside_->listener != nullptr; }
-
 void Component::setStateListener(std::shared_ptr<StateListener> listener) {
   aside_->listener = std::move(listener);
 }
 
 void Component::tellListener(ComponentState state) {
-  if (hasStateListener()) aside_->listener->stateChanged(state);
+  if (aside_->listener != nullptr) aside_->listener->stateChanged(state);
 }
 
 // Changes nothing if the component was parked meanwhile: by a read in the hook, as the contract of

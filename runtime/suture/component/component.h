@@ -184,7 +184,6 @@ class Component {
 
   template <class Work, class Failed>
   static bool guarded(const Work& work, const Failed& failed);
-  bool hasStateListener() const;
   void setStateListener(std::shared_ptr<StateListener> listener);
   void setState(ComponentState state);
   void tellListener(ComponentState state);

@@ -11,7 +11,7 @@ ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const Interf
   owner.provided_.push_back(this);
 }
 
-ProvidedBase::~ProvidedBase() = default;
+ProvidedBase::~ProvidedBase() { std::erase(owner().provided_, this); }
 
 void* ProvidedBase::implementation(const InterfaceInfo& contract) const {
   void* pointer = implementation_;

@@ -47,6 +47,12 @@ void startOne(Component& component) {
 
 }  // namespace
 
+std::shared_ptr<std::atomic<ComponentState>> ComponentLives::stateOf(const std::string& name) {
+  auto& state = states_[name];
+  if (state == nullptr) state = std::make_shared<std::atomic<ComponentState>>();
+  return state;
+}
+
 void ComponentLives::configure() {
   for (Component* component : directory_.components()) {
     if (after(component->state(), Transition::Configure)) component->configure();
@@ -150,21 +156,34 @@ void ComponentLives::refuseToStopInCycle() const {
   }
 }
 
+ComponentLives::ByName ComponentLives::addedLater() const {
+  ByName later = directory_.componentsByName();
+  std::erase_if(later, [this](const auto& one) { return started_.contains(one.first); });
+  return later;
+}
+
 // Stops tasks before the devices that they use, and collectors last, because they record the
-// others.
+// others. A component that was never started, or has been stopped, may be gone, so only what is
+// known of its state is looked at.
 void ComponentLives::stop() {
-  const ByName all = std::exchange(started_, {});
-  if (all.empty()) return;
+  if (started_.empty()) return;
+  const ByName later = addedLater();
+  ByName all = std::exchange(started_, {});
+  for (const auto& [name, component] : later) {
+    const ComponentState state = states_.at(name)->load();
+    const bool hasRun = state != ComponentState::Constructed && state != ComponentState::Configured;
+    if (!hasRun) {
+      rt::printUnlessFull(directory_.process() + ": component '" + name +
+                          "' has never run: " + kLate);
+    } else if (state != ComponentState::Stopped) {
+      all.emplace(name, component);
+    }
+  }
   stopTasks(all, false);
   for (const auto& [name, component] : all) {
     if (taskOf(*component) == nullptr) static_cast<Device*>(component)->stop();
   }
   stopTasks(all, true);
-  for (const auto& [name, component] : directory_.componentsByName()) {
-    if (all.contains(name)) continue;
-    rt::printUnlessFull(directory_.process() + ": component '" + name +
-                        "' has never run: " + kLate);
-  }
 }
 
 }  // namespace suture

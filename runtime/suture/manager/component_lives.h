@@ -6,6 +6,7 @@
 #include <suture/rt/doorbell.h>
 #include <suture/wiring/directory.h>
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,6 +23,8 @@ class ComponentLives {
 
   /// A component rings it when its state has changed, even one that outlives this.
   std::shared_ptr<rt::Doorbell> changed() const { return changed_; }
+  /// The component of that name keeps its state there, even when this is gone, or the component.
+  std::shared_ptr<std::atomic<ComponentState>> stateOf(const std::string& name);
 
   /// Configures the components that are not configured.
   void configure();
@@ -36,8 +39,9 @@ class ComponentLives {
 
   /// Throws SetupError in the thread of a task that stop() would wait for.
   void refuseToStopInCycle() const;
-  /// Stops what start() has started, and tells what was added later and never started. It touches
-  /// nothing else, since components may be gone that were never started, or have been stopped.
+  /// Once start() has been called: stops what runs, and tells what was added later and never
+  /// started. It touches nothing else, since components may be gone that were never started, or
+  /// have been stopped.
   void stop();
 
  private:
@@ -47,11 +51,13 @@ class ComponentLives {
   std::vector<std::string> missing() const;
   std::string missingFor(const RequiredBase& required) const;
   bool isLate(const Component& component) const;
+  ByName addedLater() const;
 
   const Directory& directory_;
   const Connections& connections_;
   const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();
   ByName started_;  // by start(), until stop()
+  std::map<std::string, std::shared_ptr<std::atomic<ComponentState>>> states_;
 };
 
 }  // namespace suture

@@ -26,10 +26,13 @@ constexpr std::size_t kLongestFault = 255;  // as StateChange declares
 
 }  // namespace
 
-LifecycleInterface::LifecycleInterface(Component& component, std::shared_ptr<rt::Doorbell> changed,
+LifecycleInterface::LifecycleInterface(Component& component,
+                                       std::shared_ptr<std::atomic<ComponentState>> kept,
+                                       std::shared_ptr<rt::Doorbell> changed,
                                        std::shared_ptr<const Telling> telling)
     : component_(withoutLifecycle(component)),
       provided_(component, kName, *this),
+      kept_(std::move(kept)),
       changed_(std::move(changed)),
       telling_(std::move(telling)) {
   provided_.serveInEveryState();
@@ -40,6 +43,7 @@ void LifecycleInterface::stateChanged(ComponentState state) {
   StateChange change{.state = state, .fault = {}, .stamp = now()};
   if (state == ComponentState::Faulted) assignCut(change.fault, component_.fault(), kLongestFault);
   (void)provided_.emit().state_changed(change);  // it fits
+  *kept_ = state;
   changed_->ring();
   tellPeople(state);
 }

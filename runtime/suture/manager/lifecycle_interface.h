@@ -17,10 +17,10 @@ class LifecycleInterface final : public Lifecycle, public StateListener {
  public:
   static constexpr const char* kName = "component";
 
-  /// Before the component starts, in the manager's thread. `changed` is rung at each change. Throws
-  /// SetupError if the component has another interface of that name.
-  LifecycleInterface(Component& component, std::shared_ptr<rt::Doorbell> changed,
-                     std::shared_ptr<const Telling> telling);
+  /// Before the component starts, in the manager's thread. At each change `kept` gets the state,
+  /// and `changed` is rung. Throws SetupError if the component has another interface of that name.
+  LifecycleInterface(Component& component, std::shared_ptr<std::atomic<ComponentState>> kept,
+                     std::shared_ptr<rt::Doorbell> changed, std::shared_ptr<const Telling> telling);
 
   bool suspend() override { return request(Transition::Suspend); }
   bool resume() override { return request(Transition::Resume); }
@@ -35,6 +35,7 @@ class LifecycleInterface final : public Lifecycle, public StateListener {
 
   Component& component_;
   Provided<Lifecycle> provided_;
+  const std::shared_ptr<std::atomic<ComponentState>> kept_;
   const std::shared_ptr<rt::Doorbell> changed_;
   const std::shared_ptr<const Telling> telling_;
   std::atomic<bool> faulted_{false};

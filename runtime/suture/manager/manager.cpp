@@ -47,9 +47,10 @@ void Manager::add(const std::string& name, Component& component) {
     }
     component.name_ = name;
     component.process_ = name_;
-    if (!component.hasStateListener())
-      component.setStateListener(
-          std::make_shared<LifecycleInterface>(component, lives_.changed(), telling_));
+    // An earlier manager has left its listener, which would go on to tell that one's program.
+    component.setStateListener(nullptr);
+    component.setStateListener(std::make_shared<LifecycleInterface>(component, lives_.stateOf(name),
+                                                                    lives_.changed(), telling_));
   });
 }
 
@@ -145,6 +146,10 @@ std::string Manager::placeOf(const Component& component, const std::string& inte
 
 std::string Manager::missingGlobalManager() const {
   return ask(network_.get(), &Network::missingManager);
+}
+
+std::map<std::string, std::string> Manager::whyNoGlobalManager() const {
+  return ask(network_.get(), &Network::managerTroubles);
 }
 
 std::map<std::string, std::string> Manager::whyLost() const {

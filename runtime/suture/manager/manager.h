@@ -134,10 +134,14 @@ class Manager {
 
   /// Returns the components and interfaces of this process by name, for tools.
   const Directory& directory() const { return directory_; }
-  /// Returns the address of the global manager while it does not answer, else ""; of several, those
-  /// that do not, separated by commas. Connections live on without it, and it is asked again until
-  /// it answers; only new connections have to wait, if no other manager answers.
+  /// Returns the address of the global manager while it does not answer or does not know this
+  /// process, else ""; of several, those that do not, separated by commas. Connections live on
+  /// without it, and it is asked again until it answers; only new connections have to wait, if no
+  /// other manager answers.
   std::string missingGlobalManager() const;
+  /// Returns by the address of each missing one why it is: "does not answer: ...", or
+  /// "cannot be used: " and why, as when another process has taken the name of this one meanwhile.
+  std::map<std::string, std::string> whyNoGlobalManager() const;
   /// Returns every connection that has an end in this process, as it is now: one that has been lost
   /// and made anew has another channel.
   std::vector<std::shared_ptr<Channel>> channels() const;

@@ -196,6 +196,35 @@ TEST(ManagerLifecycle, WhatNeverStartedMayEndFirst) {
   EXPECT_EQ(worker.state(), State::Stopped);
 }
 
+TEST(ManagerLifecycle, StopEndsWhatTheProgramStartedItself) {
+  Worker worker, late;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.start();
+  manager.add("Late", late);
+  late.start();
+  testing::internal::CaptureStderr();
+  manager.stop();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(late.state(), State::Stopped);
+}
+
+TEST(ManagerLifecycle, WhatTheProgramEndedMayBeGone) {
+  Worker worker;
+  Manager manager("here");
+  manager.add("Worker", worker);
+  manager.start();
+  {
+    Worker late;
+    manager.add("Late", late);
+    late.start();
+    late.stop();
+  }
+  testing::internal::CaptureStderr();
+  manager.stop();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(AwaitStart, WaitsForWhatComesLater) {
   Worker worker;
   Idle idle;

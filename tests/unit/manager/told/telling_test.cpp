@@ -4,9 +4,11 @@
 #include <suture/component/device.h>
 #include <suture/component/task/periodic_task.h>
 #include <suture/manager/manager.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <future>
 #include <optional>
 #include <stdexcept>
@@ -157,6 +159,52 @@ TEST(Telling, TheManagersEndAndReturnAreTold) {
                       " does not answer: connections live on, new ones have to wait for one that "
                       "does. Start it again\n" +
                       manager + " is there again\n");
+}
+
+TEST(Telling, AnotherHolderOfItsNameIsTold) {
+  const TemporaryDirectory directory, another;  // for two processes of one name and one id
+  const std::string first = "unix:" + directory.file("first.sock"),
+                    later = directory.file("later.sock");
+  const std::string told = toldBy([&] {
+    loop::ControlThread control;
+    const GlobalManager one(control, first), other(control, "unix:" + another.file("other.sock"));
+    auto holder = std::make_optional<Manager>("here", other.address());
+    Manager here("here", first + ",unix:" + later);
+    std::filesystem::create_symlink(another.file("other.sock"),
+                                    later);  // it is there from now on
+    const auto refused = [&] {
+      const auto why = here.whyNoGlobalManager();
+      return why.contains("unix:" + later) &&
+             contains(why.at("unix:" + later), "the name is held by");
+    };
+    EXPECT_TRUE(eventually(refused));
+    holder.reset();
+    EXPECT_TRUE(eventually([&] { return here.missingGlobalManager().empty(); }));
+  });
+  const std::string manager = "here: the global manager at unix:" + later;
+  EXPECT_TRUE(contains(told, manager +
+                                 " cannot be used: register process 'here': the name is held by "
+                                 "process " +
+                                 std::to_string(getpid()) + " on "))
+      << told;
+  EXPECT_TRUE(contains(told, manager + " is there again\n")) << told;
+}
+
+TEST(Telling, ASecondManagerTellsOfItsComponents) {
+  std::string told;
+  BreakingArm arm;
+  {
+    Manager first("first");
+    first.tellBy([](const std::string& line) { ADD_FAILURE() << "its program is gone: " << line; });
+    first.add("PSM", arm);
+  }
+  Manager second("second");
+  second.tellBy([&](const std::string& line) { told += line; });
+  second.add("PSM", arm);
+  second.start();
+  breakOnce(arm);
+  second.stop();
+  EXPECT_EQ(told, "component 'PSM' has faulted, its code threw: the encoder says nonsense");
 }
 
 }  // namespace
