@@ -110,14 +110,23 @@ void Teleop::step(suture::Time now) {
   if (!haveData || !arms_.master().isUp() || !arms_.slave().ready()) {
     return leave(TeleopState::Preparing);
   }
-  if (!operator_.teleoperates()) return leave(TeleopState::Clutched);
+  if (!operator_.teleoperates()) return rest(*poses);
   const bool begins = !law_ || isTurned_;
   if (begins && !arms_.slave().streams()) return offerGoal(TeleopState::Preparing, *poses);
   if (begins && !isAligned(*poses, now)) return offerGoal(TeleopState::Aligning, *poses);
   if (!arms_.ready()) return offerGoal(TeleopState::Preparing, *poses);
   isTurned_ = false;
   follow(*poses);
-  if (state_ == TeleopState::Following) jawFollower_.follow(now);
+  if (state_ != TeleopState::Following) return;
+  release_.release(poses->master.stamp);
+  jawFollower_.follow(now);
+}
+
+/// Lets the slave hold while a pedal takes the master from it, or nobody is there to hold that.
+void Teleop::rest(const ArmPoses& poses) {
+  leave(TeleopState::Clutched);
+  if (operator_.isPresent()) return release_.release(poses.master.stamp);
+  release_.end();
 }
 
 /// Returns false if there is a registration, or will be, that has not answered lately. A slave that
@@ -204,14 +213,16 @@ void Teleop::giveUp(const char* why) {
 }
 
 /// Ends following. A slave that can obey holds where it is, or stays there by the goals that it
-/// gets while the master is aligned, and a master that is being turned holds. Nor does an arm go on
-/// home for a teleoperation that is disabled.
+/// gets while the master is aligned, and a master that is being turned holds, as does one that was
+/// released and is not the surgeon's any more. Nor does an arm go on home for a teleoperation that
+/// is disabled.
 void Teleop::leave(TeleopState state) {
   law_.reset();
   goal_.reset();
   offers_ = false;
   if (state_ == TeleopState::Following && state != TeleopState::Aligning) arms_.holdSlave();
   if (state != TeleopState::Aligning) alignment_.end();
+  if (state != TeleopState::Clutched) release_.end();
   if (state == TeleopState::Disabled) arms_.stopPreparing();
   jawFollower_.end();
   enter(state);

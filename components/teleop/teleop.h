@@ -23,6 +23,7 @@
 #include "teleop/follow_law.h"
 #include "teleop/jaw_follower.h"
 #include "teleop/master_alignment.h"
+#include "teleop/master_release.h"
 #include "teleop/preparation_limit.h"
 #include "teleop/teleoperation.suture.h"
 #include "timing/cycle_watch.h"
@@ -42,6 +43,10 @@ struct SUTURE_TYPE() TeleopParameters {
   bool align = true;
   /// A difference of at most this counts as none, and stays.
   SUTURE_FIELD(unit("rad"), range(0.001, 1)) double alignment_tolerance = 0.087;
+  /// If it is true, the master's motors only carry it while it is the surgeon's to move, which is
+  /// while the slave follows and while a pedal is pressed, and hold it otherwise. A master that
+  /// gets goals from another client, such as a simulated surgeon, needs false: it moves by those.
+  bool release_master = false;
   /// If the arms are not ready, or the master is not aligned, after this time, the teleoperation is
   /// disabled. With 0 it waits for ever.
   suture::Duration preparation_limit = std::chrono::seconds(60);
@@ -97,6 +102,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
  private:
   void step(suture::Time now);
   bool knowsView();
+  void rest(const ArmPoses& poses);
   bool isAligned(const ArmPoses& poses, suture::Time now);
   void offerGoal(TeleopState state, const ArmPoses& poses);
   void follow(const ArmPoses& poses);
@@ -124,6 +130,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   ArmPair arms_{master_, slave_};
   OperatorWatch operator_{pedals_, presence_, parameters_.operator_age};
   MasterAlignment alignment_{master_, arms_.master(), parameters_.alignment_tolerance};
+  MasterRelease release_{master_, parameters_.release_master};
   JawFollower jawFollower_;
   CycleWatch cycles_;
   TeleopState state_ = TeleopState::Disabled;

@@ -23,6 +23,7 @@ static_assert(std::is_same_v<decltype(TeleopParameters::max_age), std::chrono::n
 static_assert(std::is_same_v<decltype(TeleopParameters::enable_at_start), bool>);
 static_assert(std::is_same_v<decltype(TeleopParameters::align), bool>);
 static_assert(std::is_same_v<decltype(TeleopParameters::alignment_tolerance), double>);
+static_assert(std::is_same_v<decltype(TeleopParameters::release_master), bool>);
 static_assert(std::is_same_v<decltype(TeleopParameters::preparation_limit),
                              std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(TeleopParameters::operator_age), std::chrono::nanoseconds>);
@@ -46,6 +47,7 @@ bool store(const TeleopParameters& value, TeleopParametersSlot& slot) {
   fits &= store(value.enable_at_start, slot.enable_at_start);
   fits &= store(value.align, slot.align);
   fits &= store(value.alignment_tolerance, slot.alignment_tolerance);
+  fits &= store(value.release_master, slot.release_master);
   fits &= store(value.preparation_limit, slot.preparation_limit);
   fits &= store(value.operator_age, slot.operator_age);
   fits &= store(value.registration_age, slot.registration_age);
@@ -66,6 +68,7 @@ void load(const TeleopParametersSlot& slot, TeleopParameters& value) {
   load(slot.enable_at_start, value.enable_at_start);
   load(slot.align, value.align);
   load(slot.alignment_tolerance, value.alignment_tolerance);
+  load(slot.release_master, value.release_master);
   load(slot.preparation_limit, value.preparation_limit);
   load(slot.operator_age, value.operator_age);
   load(slot.registration_age, value.registration_age);
@@ -113,6 +116,7 @@ void fromJson(const suture::JsonReader& in, TeleopParameters& value) {
   reader.field("enable_at_start", value.enable_at_start);
   reader.field("align", value.align);
   reader.field("alignment_tolerance", value.alignment_tolerance, 0.001, 1);
+  reader.field("release_master", value.release_master);
   reader.field("preparation_limit", value.preparation_limit);
   reader.field("operator_age", value.operator_age);
   reader.field("registration_age", value.registration_age);

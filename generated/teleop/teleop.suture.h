@@ -28,6 +28,7 @@ struct TeleopParametersSlot {
   std::uint8_t enable_at_start;    // bool
   std::uint8_t align;              // bool
   double alignment_tolerance;      // rad
+  std::uint8_t release_master;     // bool
   std::int64_t preparation_limit;  // std::chrono::nanoseconds, ns
   std::int64_t operator_age;       // std::chrono::nanoseconds, ns
   std::int64_t registration_age;   // std::chrono::nanoseconds, ns

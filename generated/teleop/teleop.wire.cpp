@@ -25,6 +25,7 @@ void toWire(const TeleopParametersSlot& slot, wire::TeleopParameters::Builder ou
   out.setEnableAtStart(slot.enable_at_start != 0);
   out.setAlign(slot.align != 0);
   out.setAlignmentTolerance(slot.alignment_tolerance);
+  out.setReleaseMaster(slot.release_master != 0);
   out.setPreparationLimit(slot.preparation_limit);
   out.setOperatorAge(slot.operator_age);
   out.setRegistrationAge(slot.registration_age);
@@ -45,6 +46,7 @@ suture::Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& s
   slot.enable_at_start = in.getEnableAtStart();
   slot.align = in.getAlign();
   slot.alignment_tolerance = in.getAlignmentTolerance();
+  slot.release_master = in.getReleaseMaster();
   slot.preparation_limit = in.getPreparationLimit();
   slot.operator_age = in.getOperatorAge();
   slot.registration_age = in.getRegistrationAge();

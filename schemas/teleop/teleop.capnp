@@ -46,4 +46,8 @@ struct TeleopParameters @0xd4e01364c600f6cf $Meta.cxx("robots::TeleopParameters"
   registrationAge @15 :Int64 = 250000000 $Meta.cxx("registration_age") $Meta.period("1/1000000000");
   # Following does not begin with a registration that was renewed longer ago than this. It goes on
   # with the one with which it began.
+  releaseMaster @16 :Bool $Meta.cxx("release_master");
+  # If it is true, the master's motors only carry it while it is the surgeon's to move, which is
+  # while the slave follows and while a pedal is pressed, and hold it otherwise. A master that
+  # gets goals from another client, such as a simulated surgeon, needs false: it moves by those.
 }
