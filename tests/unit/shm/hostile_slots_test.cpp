@@ -20,7 +20,7 @@
 namespace suture {
 namespace {
 
-constexpr std::uint32_t kMost = 64;
+constexpr std::uint32_t kElements = 64;
 
 /// A Rewriter is another process, which writes one word after another of some memory, without end.
 class Rewriter {
@@ -75,10 +75,10 @@ constexpr std::size_t kOnlyItsSize = 1;
 template <class Slot>
 constexpr std::size_t kAllOfIt = sizeof(Slot) / sizeof(std::uint32_t);
 
-using Names = BoundedList<BoundedText<12>, kMost>;
-using NamedNumbers = BoundedList<SlotEntry<BoundedText<12>, double>, kMost>;
-using Numbers = BoundedList<double, kMost>;
-using Points = BoundedList<std::array<double, 3>, kMost>;
+using Names = BoundedList<BoundedText<12>, kElements>;
+using NamedNumbers = BoundedList<SlotEntry<BoundedText<12>, double>, kElements>;
+using Numbers = BoundedList<double, kElements>;
+using Points = BoundedList<std::array<double, 3>, kElements>;
 
 std::string nameOf(int i) { return "joint" + std::to_string(i); }
 
